@@ -1,0 +1,214 @@
+#include "contact/detection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/parallel.hpp"
+
+namespace frit::contact {
+namespace {
+
+using neighbor::Pair;
+
+auto key(const Pair& pair) { return std::tie(pair.i, pair.j, pair.image); }
+bool before(const Pair& a, const Pair& b) { return key(a) < key(b); }
+
+Pair pair_at(const Contacts& contacts, std::size_t k) { return {contacts.i[k], contacts.j[k], contacts.image[k]}; }
+Pair pair_at(const Cracks& cracks, std::size_t n) { return {cracks.i[n], cracks.j[n], cracks.image[n]}; }
+
+Pairing pairing_of(const State& state, const Pair& pair) {
+  return {state.particles.radius[static_cast<std::size_t>(pair.i)],
+          state.particles.radius[static_cast<std::size_t>(pair.j)]};
+}
+
+double largest_radius(const Particles& particles) {
+  return particles.radius.empty() ? 0.0 : *std::max_element(particles.radius.begin(), particles.radius.end());
+}
+
+struct Birth {
+  Pair pair;
+  double neck_radius_squared, overlap;
+};
+
+void append(Contacts& contacts, const Birth& birth, double time) {
+  const std::size_t k = contacts.size();
+  contacts.resize(k + 1);
+  contacts.i[k] = birth.pair.i;
+  contacts.j[k] = birth.pair.j;
+  contacts.image[k] = birth.pair.image;
+  contacts.neck_radius_squared[k] = birth.neck_radius_squared;
+  contacts.overlap[k] = birth.overlap;
+  contacts.birth_neck_radius[k] = std::sqrt(birth.neck_radius_squared);
+  contacts.birth_time[k] = time;
+}
+
+void copy_contact(const Contacts& from, std::size_t k, Contacts& to) {
+  const std::size_t n = to.size();
+  to.resize(n + 1);
+  to.i[n] = from.i[k];
+  to.j[n] = from.j[k];
+  to.image[n] = from.image[k];
+  to.neck_radius_squared[n] = from.neck_radius_squared[k];
+  to.overlap[n] = from.overlap[k];
+  to.birth_neck_radius[n] = from.birth_neck_radius[k];
+  to.birth_time[n] = from.birth_time[k];
+  to.equilibrium_force[n] = from.equilibrium_force[k];
+  to.normal_force[n] = from.normal_force[k];
+  to.approach_velocity[n] = from.approach_velocity[k];
+  to.sliding_velocity[n] = from.sliding_velocity[k];
+}
+
+// Neck radius squared of a contact of the packing.
+double initial_neck_squared(const SinteringLaw& law, const Pairing& pairing, double overlap, double initial_ratio) {
+  const double asked = initial_ratio * pairing.equivalent;
+  const double q = std::max(coble_neck_squared(pairing, overlap), asked * asked);
+  // Round-off overlaps are no necks.
+  const double least = coble_neck_squared(pairing, touching_distance(pairing));
+  return q > least ? q : born_neck_squared(law, pairing, overlap);
+}
+
+Pair nearest_image(const State& state, std::int32_t i, std::int32_t j) {
+  Pair pair{std::min(i, j), std::max(i, j), {0, 0, 0}};
+  if (!state.cell.periodic) return pair;
+  const Vec3 apart = state.particles.position[static_cast<std::size_t>(pair.j)] -
+                     state.particles.position[static_cast<std::size_t>(pair.i)];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    pair.image[axis] = static_cast<std::int8_t>(-std::lround(apart[axis] / state.cell.size[axis]));
+  }
+  return pair;
+}
+
+// A bilateral neck breaks when thinned below half its birth radius; a unilateral one when it has opened.
+bool is_broken(const SinteringLaw& law, const Contacts& contacts, std::size_t k, double opening) {
+  if (law.pull == Pull::unilateral) return opening > 1e-6 * contacts.birth_neck_radius[k];
+  const double half = 0.5 * contacts.birth_neck_radius[k];
+  return contacts.neck_radius_squared[k] < half * half;
+}
+
+void merge_births(Contacts& contacts, std::vector<Birth>& births, double time) {
+  if (births.empty()) return;
+  Contacts merged;
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    while (next < births.size() && before(births[next].pair, pair_at(contacts, k))) {
+      append(merged, births[next++], time);
+    }
+    copy_contact(contacts, k, merged);
+  }
+  while (next < births.size()) append(merged, births[next++], time);
+  contacts = std::move(merged);
+}
+
+// Cracks that closed again or opened beyond touching are forgotten; new ones are put in order.
+void renew_cracks(State& state, const std::vector<Birth>& births, const std::vector<Birth>& parted) {
+  std::vector<Birth> kept = parted;
+  for (std::size_t n = 0; n < state.cracks.size(); ++n) {
+    const Pair pair = pair_at(state.cracks, n);
+    const bool closed = std::any_of(births.begin(), births.end(), [&](const Birth& b) { return b.pair == pair; });
+    if (!closed && overlap_of(state, pair) > 0.0) kept.push_back({pair, 0.0, state.cracks.overlap_when_parted[n]});
+  }
+  std::sort(kept.begin(), kept.end(), [](const Birth& a, const Birth& b) { return before(a.pair, b.pair); });
+  state.cracks = {};
+  for (const Birth& crack : kept) {
+    state.cracks.add(crack.pair.i, crack.pair.j, crack.pair.image, crack.overlap);
+  }
+}
+
+// Grows every neck with the distance of its spheres; returns the parted pairs and takes them out.
+std::vector<Birth> grow_and_break(State& state, const SinteringLaw& law) {
+  Contacts& contacts = state.contacts;
+  std::vector<std::uint8_t> broken(contacts.size(), 0);
+  parallel_for(contacts.size(), [&](std::size_t k) {
+    const Pair pair = pair_at(contacts, k);
+    const double overlap = overlap_of(state, pair), before_step = contacts.overlap[k];
+    const double growth = 2.0 * pairing_of(state, pair).equivalent;
+    contacts.neck_radius_squared[k] += growth * (overlap - before_step);
+    contacts.overlap[k] = overlap;
+    broken[k] = is_broken(law, contacts, k, before_step - overlap) ? 1 : 0;
+  });
+  std::vector<Birth> parted;
+  if (std::none_of(broken.begin(), broken.end(), [](std::uint8_t b) { return b != 0; })) return parted;
+  Contacts whole;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    if (broken[k] == 0) {
+      copy_contact(contacts, k, whole);
+    } else {
+      parted.push_back({pair_at(contacts, k), 0.0, contacts.overlap[k]});
+    }
+  }
+  contacts = std::move(whole);
+  return parted;
+}
+
+}  // namespace
+
+double overlap_of(const State& state, const Pair& pair) {
+  const Particles& p = state.particles;
+  const auto i = static_cast<std::size_t>(pair.i), j = static_cast<std::size_t>(pair.j);
+  return p.radius[i] + p.radius[j] - state.cell.separation(p.position[i], p.position[j], pair.image).norm();
+}
+
+void find_initial_contacts(State& state, const SinteringLaw& law, double initial_neck_ratio) {
+  state.contacts = {};
+  const double reach = 1e-9 * largest_radius(state.particles);
+  for (const Pair& pair : neighbor::find_pairs(state.particles, state.cell, reach)) {
+    const Pairing pairing = pairing_of(state, pair);
+    const double overlap = overlap_of(state, pair);
+    if (overlap < -touching_distance(pairing)) continue;
+    append(state.contacts, {pair, initial_neck_squared(law, pairing, overlap, initial_neck_ratio), overlap}, 0.0);
+  }
+}
+
+void use_given_contacts(State& state, const SinteringLaw& law, const GivenNecks& given, double initial_neck_ratio) {
+  std::vector<Birth> births;
+  for (std::size_t n = 0; n < given.pairs.size(); ++n) {
+    const Pair pair = nearest_image(state, given.pairs[n][0], given.pairs[n][1]);
+    const Pairing pairing = pairing_of(state, pair);
+    const double overlap = overlap_of(state, pair);
+    double q = initial_neck_squared(law, pairing, overlap, initial_neck_ratio);
+    if (!given.neck_radius.empty()) q = given.neck_radius[n] * given.neck_radius[n];
+    births.push_back({pair, q, overlap});
+  }
+  std::sort(births.begin(), births.end(), [](const Birth& a, const Birth& b) { return before(a.pair, b.pair); });
+  state.contacts = {};
+  for (const Birth& birth : births) append(state.contacts, birth, 0.0);
+  state.cracks = {};
+  for (const Pair& pair : neighbor::find_pairs(state.particles, state.cell, 0.0)) {
+    const auto listed = std::lower_bound(births.begin(), births.end(), pair,
+                                         [](const Birth& b, const Pair& p) { return before(b.pair, p); });
+    if (listed != births.end() && listed->pair == pair) continue;
+    state.cracks.add(pair.i, pair.j, pair.image, overlap_of(state, pair));
+  }
+}
+
+std::vector<Prospect> find_prospects(const State& state, double reach) {
+  std::vector<Prospect> prospects;
+  std::size_t k = 0, n = 0;
+  for (const Pair& pair : neighbor::find_pairs(state.particles, state.cell, reach)) {
+    while (k < state.contacts.size() && before(pair_at(state.contacts, k), pair)) ++k;
+    while (n < state.cracks.size() && before(pair_at(state.cracks, n), pair)) ++n;
+    if (k < state.contacts.size() && pair_at(state.contacts, k) == pair) continue;
+    const bool cracked = n < state.cracks.size() && pair_at(state.cracks, n) == pair;
+    const double touching = cracked ? std::max(0.0, state.cracks.overlap_when_parted[n]) : 0.0;
+    prospects.push_back({pair, touching - overlap_of(state, pair), touching});
+  }
+  return prospects;
+}
+
+ContactChanges update_contacts(State& state, const SinteringLaw& law, std::span<const Prospect> prospects) {
+  const std::vector<Birth> parted = grow_and_break(state, law);
+  std::vector<Birth> births;
+  for (const Prospect& prospect : prospects) {
+    const Pairing pairing = pairing_of(state, prospect.pair);
+    const double overlap = overlap_of(state, prospect.pair);
+    const double pressed = overlap - prospect.touching;
+    if (pressed < -touching_distance(pairing)) continue;
+    births.push_back({prospect.pair, born_neck_squared(law, pairing, pressed), overlap});
+  }
+  renew_cracks(state, births, parted);
+  merge_births(state.contacts, births, state.time);
+  return {static_cast<int>(births.size()), static_cast<int>(parted.size())};
+}
+
+}  // namespace frit::contact

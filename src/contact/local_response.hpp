@@ -1,0 +1,78 @@
+// What a contact law tells the step of one contact: force at rest, resistances, admissible set. SI units.
+// The step's problem is made from these alone (network); a new law only has to fill them.
+#pragma once
+
+#include <limits>
+
+#include "contact/sintering_law.hpp"
+
+namespace frit::contact {
+
+// Normal force of a step as a function of the approach a in it (theory.md, eq. 7):
+//   f(a) = P(start + growth a) - P(start) - pull + l, P(q) = viscosity q^3 up to cap, linear above;
+//   l = 0 below threshold, limit above, anything between at it.
+struct LocalResponse {
+  double viscosity = 0.0;  // [N/m^6]
+  double start = 0.0;      // [m^2], neck radius squared at the start of the step
+  double growth = 0.0;     // [m], of the neck radius squared per approach
+  double cap = 0.0;        // [m^2]
+  double pull = 0.0;       // [N]
+  double threshold = 0.0;  // [m]
+  double limit = 0.0;      // [N]
+  bool opens_freely = false;
+  double sliding = 0.0;    // [N/m]
+  double rolling = 0.0;    // [N m]
+  double twisting = 0.0;   // [N m]
+};
+
+// A neck as the step sees it: neck radius squared at its start and (estimated) at its end [m^2].
+struct NeckStep {
+  double start, end;
+};
+
+// Response of a sintering neck in a step over which Delta_b integrates to theta [m^5 s/(N s)]. The normal part
+// is the exact flow of the law (impulse pi (r1^6 - r0^6) / (48 R Delta_b), whatever the history); the others
+// use the mean of start and end.
+inline LocalResponse respond(const SinteringLaw& law, const Pairing& pair, const NeckStep& neck, double theta) {
+  const double largest = equilibrium_neck_radius(law, pair);
+  const double cap = largest * largest;
+  const double start = std::min(neck.start, cap), end = std::clamp(neck.end, 0.0, cap);
+  const double mean = 0.5 * (start + end);
+  const Resistances c = resistances(law, pair, mean, theta);
+  LocalResponse response;
+  response.viscosity = pi / (48.0 * pair.equivalent * theta);
+  response.start = neck.start;
+  response.growth = 2.0 * pair.equivalent;
+  response.cap = cap;
+  response.pull = attraction_force(law, pair, std::sqrt(mean));
+  response.threshold = (cap - neck.start) / response.growth;
+  response.limit = response.pull;
+  response.opens_freely = law.pull == Pull::unilateral;
+  response.sliding = c.sliding;
+  response.rolling = c.rolling;
+  response.twisting = c.twisting;
+  return response;
+}
+
+// Response of a pair that closes its gap within the step: once touching it is a neck that grows from nothing after
+// Coble and resists like one; it attracts from the next step on (docs/decisions/0004). In the limit of short
+// steps this is Signorini's condition.
+inline LocalResponse respond_closing(const SinteringLaw& law, const Pairing& pair, double gap, double theta) {
+  const double largest = equilibrium_neck_radius(law, pair);
+  LocalResponse response;
+  response.viscosity = pi / (48.0 * pair.equivalent * theta);
+  response.growth = 2.0 * pair.equivalent;
+  response.start = -response.growth * gap;
+  response.cap = largest * largest;
+  return response;
+}
+
+// The same for faces that cannot sinter, and for `birth = "rigid"`: 0 <= gap - a perpendicular to f >= 0.
+inline LocalResponse respond_rigid(double gap) {
+  LocalResponse response;
+  response.threshold = gap;
+  response.limit = std::numeric_limits<double>::infinity();
+  return response;
+}
+
+}  // namespace frit::contact

@@ -1,0 +1,226 @@
+#include "integrate/implicit_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.hpp"
+#include "solve/gauss_seidel.hpp"
+#include "solve/gradient.hpp"
+#include "solve/newton.hpp"
+
+namespace frit::integrate {
+namespace {
+
+using ConstVec = Eigen::Map<const Vec3>;
+
+// Prospects are looked for within this share of the mean radius; a step that needs more looks again.
+constexpr double usual_reach = 0.1;
+constexpr double largest_reach = 1.7;
+
+// Rotation of a rotation vector that is the tangent form of the mid-step rule: |vector| = 2 tan(angle / 2), so
+// that a rigid rotation of any angle is exact (theory.md, eq. 11).
+Quat cayley(const Vec3& rotation) {
+  Quat q(1.0, 0.5 * rotation.x(), 0.5 * rotation.y(), 0.5 * rotation.z());
+  q.normalize();
+  return q;
+}
+
+// A warm start: the last step's rates go on for this step.
+void predict(const network::StepInput& input, solve::Solution& start) {
+  const State& state = input.state;
+  const double dt = input.conditions.duration, length = input.scale.length;
+  const std::size_t count = state.particles.size();
+  const bool has_axes = state.cell.periodic || input.conditions.freedom == network::Freedom::affine;
+  for (std::size_t n = 0; n < count; ++n) {
+    if (state.particles.fixed[n] != 0 || input.conditions.freedom == network::Freedom::affine) continue;
+    Vec3 own = state.particles.velocity[n];
+    if (has_axes) own -= state.cell_rate.cwiseProduct(state.particles.position[n]);
+    Eigen::Map<Vec3>(start.motion.data() + 6 * n) = own * dt / length;
+    if (!input.conditions.spins_blocked) {
+      Eigen::Map<Vec3>(start.motion.data() + 6 * n + 3) = state.particles.spin[n] * dt;
+    }
+  }
+  for (int axis = 0; has_axes && axis < 3; ++axis) {
+    if (!input.conditions.axis_prescribed[axis]) start.motion[6 * count + axis] = state.cell_rate[axis] * dt;
+  }
+}
+
+// Approach of the necks in a solution [dimensionless].
+std::vector<double> approaches(const network::StepInput& input, const solve::Problem& problem,
+                               const solve::Solution& solution) {
+  std::vector<double> approach(input.state.contacts.size());
+  parallel_for(approach.size(), [&](std::size_t k) {
+    const solve::Edge& edge = problem.edges[k];
+    approach[k] = edge.approach_scale * edge.normal.dot(solve::relative_motion(problem, k, solution.motion));
+  });
+  return approach;
+}
+
+double mean_magnitude(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += std::abs(value);
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+double mean_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> difference(a.size());
+  for (std::size_t n = 0; n < a.size(); ++n) difference[n] = a[n] - b[n];
+  return mean_magnitude(difference);
+}
+
+network::Conditions conditions_of(const StepSettings& settings, const Furnace& furnace, double begin,
+                                  double duration) {
+  network::Conditions conditions;
+  conditions.duration = duration;
+  conditions.theta = furnace.theta(begin, begin + duration);
+  conditions.inertia = settings.inertia;
+  conditions.freedom = settings.freedom;
+  conditions.spins_blocked = settings.spins_blocked;
+  conditions.stress = settings.stress;
+  if (settings.strain_rate) {
+    conditions.axis_prescribed = {true, true, true};
+    for (int axis = 0; axis < 3; ++axis) {
+      conditions.axis_gradient[axis] = std::expm1((*settings.strain_rate)[axis] * duration);
+    }
+  }
+  return conditions;
+}
+
+// A pair that overlaps at the end although it was no prospect: the step reached too far.
+bool has_missed_contact(const State& to, double mean_radius) {
+  const std::vector<contact::Prospect> overlapping = contact::find_prospects(to, 0.0);
+  return std::any_of(overlapping.begin(), overlapping.end(), [&](const contact::Prospect& prospect) {
+    return prospect.gap < -1e-9 * mean_radius && prospect.touching == 0.0;
+  });
+}
+
+}  // namespace
+
+std::string_view to_text(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::accepted: return "accepted";
+    case Verdict::not_solved: return "the solver did not converge";
+    case Verdict::inaccurate: return "the estimated error is too large";
+    case Verdict::moved_too_far: return "particles moved too far in one step";
+  }
+  return "";
+}
+
+struct ImplicitStep::Passes {
+  solve::Problem problem;
+  solve::Solution solution;
+};
+
+bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solution* estimate, double tolerance,
+                              Passes& passes, StepReport& report) {
+  passes.problem = network::make_problem(input, estimate);
+  solve::Solution start;
+  if (estimate == nullptr) {
+    start = network::make_start(input, passes.problem);
+    predict(input, start);
+  } else {
+    start = *estimate;
+  }
+  passes.solution = start;
+  solve::Options options;
+  options.tolerance = tolerance;
+  const solve::Report solved = settings_.solver == Solver::gauss_seidel
+                                   ? solve::solve_gauss_seidel(passes.problem, options, passes.solution)
+                                   : solve::solve_newton(passes.problem, options, passes.solution);
+  ++report.solves;
+  report.newton_iterations += solved.newton_iterations;
+  report.linear_iterations += solved.linear_iterations;
+  report.residual = solved.residual;
+  if (!solved.converged) failed_ = Failed{passes.problem, start};
+  return solved.converged;
+}
+
+// First with the geometry of the start, then with that of mid-step: a first and a second order result, whose
+// difference estimates the error (theory.md, section 5).
+bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, StepReport& report) {
+  const double rough = std::max(settings_.tolerance, 0.03 * settings_.accuracy);
+  if (!solve_pass(input, nullptr, rough, passes, report)) return false;
+  const std::vector<double> first = approaches(input, passes.problem, passes.solution);
+  const solve::Solution estimate = passes.solution;
+  if (!solve_pass(input, &estimate, settings_.tolerance, passes, report)) return false;
+  const std::vector<double> second = approaches(input, passes.problem, passes.solution);
+  report.progress = mean_magnitude(second);
+  report.error = report.progress > 0.0 ? mean_difference(first, second) / report.progress : 0.0;
+  return true;
+}
+
+void ImplicitStep::move(const network::StepInput& input, const Passes& passes, State& to) const {
+  const double dt = input.conditions.duration;
+  const std::size_t count = to.particles.size();
+  for (std::size_t n = 0; n < count; ++n) {
+    const Vec3 moved = network::displacement(input, passes.solution, n);
+    const Vec3 turned = ConstVec(passes.solution.motion.data() + 6 * n + 3);
+    to.particles.position[n] += moved;
+    to.particles.velocity[n] = moved / dt;
+    to.particles.spin[n] = turned / dt;
+    to.particles.orientation[n] = cayley(turned) * to.particles.orientation[n];
+  }
+  if (passes.problem.has_axes) {
+    const Vec3 gradient = ConstVec(passes.solution.motion.data() + 6 * count);
+    if (to.cell.periodic) to.cell.size += gradient.cwiseProduct(to.cell.size);
+    to.cell_rate = gradient / dt;
+    for (int axis = 0; axis < 3; ++axis) to.cell_strain[axis] += std::log1p(gradient[axis]);
+  }
+  solve::Gradient forces(passes.problem);
+  const std::vector<double> no_penalty(passes.problem.edges.size(), 0.0);
+  forces.evaluate(passes.solution, no_penalty, solve::Multipliers::given);
+  for (std::size_t k = 0; k < to.contacts.size(); ++k) {
+    const solve::Edge& edge = passes.problem.edges[k];
+    const Vec3& relative = forces.relative_motion()[k];
+    to.contacts.normal_force[k] = forces.normal_force()[k] * input.scale.force;
+    to.contacts.equilibrium_force[k] = passes.solution.multiplier[k] * input.scale.force;
+    to.contacts.approach_velocity[k] = forces.approach()[k] * input.scale.length / dt;
+    to.contacts.sliding_velocity[k] =
+        (relative - relative.dot(edge.normal) * edge.normal) * input.scale.length / dt;
+  }
+  to.time += dt;
+  to.theta += input.conditions.theta;
+  to.temperature = furnace_.temperature(to.time);
+}
+
+StepReport ImplicitStep::attempt(const State& from, double duration, State& to) {
+  StepReport report;
+  report.duration = duration;
+  const network::Scale scale = network::scale_of(from.particles, settings_.law);
+  const network::Conditions conditions = conditions_of(settings_, furnace_, from.time, duration);
+  for (double reach = usual_reach; reach <= largest_reach; reach *= 2.0) {
+    const std::vector<contact::Prospect> prospects = contact::find_prospects(from, reach * scale.length);
+    const network::StepInput input{from, settings_.law, prospects, conditions, scale};
+    Passes passes;
+    report.verdict = Verdict::not_solved;
+    if (!solve_both(input, passes, report)) return report;
+    State next = from;
+    move(input, passes, next);
+    report.changes = contact::update_contacts(next, settings_.law, prospects);
+    if (has_missed_contact(next, scale.length)) continue;
+    const double events = from.contacts.size() > 0 ? static_cast<double>(report.changes.born + report.changes.broken) /
+                                                         static_cast<double>(from.contacts.size())
+                                                   : 0.0;
+    report.error = std::max(report.error, 0.5 * events);
+    const bool accurate = !settings_.error_controls_step || report.error <= settings_.accuracy;
+    report.verdict = accurate ? Verdict::accepted : Verdict::inaccurate;
+    if (accurate) to = std::move(next);
+    return report;
+  }
+  report.verdict = Verdict::moved_too_far;
+  return report;
+}
+
+double ImplicitStep::first_duration(const State& state) const {
+  std::vector<double> necks = state.contacts.neck_radius_squared;
+  if (necks.empty()) return 1e-6 * furnace_.duration_for(state.time, 1.0);
+  std::nth_element(necks.begin(), necks.begin() + static_cast<std::ptrdiff_t>(necks.size() / 2), necks.end());
+  const network::Scale scale = network::scale_of(state.particles, settings_.law);
+  const double q0 = necks[necks.size() / 2], q1 = 1.1 * q0 + 1e-3 * scale.length * scale.length;
+  // Free pair: r^6 = r0^6 + 54 R^2 gamma theta.
+  const double theta =
+      (q1 * q1 * q1 - q0 * q0 * q0) / (54.0 * scale.length * scale.length * settings_.law.surface_energy);
+  return furnace_.duration_for(state.time, theta);
+}
+
+}  // namespace frit::integrate

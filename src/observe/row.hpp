@@ -1,0 +1,26 @@
+// The observables of a state as the columns of series.csv, in their order. Reference: docs/observables.md.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "observe/necks.hpp"
+#include "observe/reference.hpp"
+#include "state/state.hpp"
+
+namespace frit::observe {
+
+struct Column {
+  std::string name;  // with the unit in brackets, if it has one
+  double value;      // NaN: no value, an empty field
+};
+using Row = std::vector<Column>;
+
+// The names and their order are the same for every state.
+Row observe_row(const Reference& reference, const State& state, const NeckLaw& law);
+
+// The value of the column with that name, unit included. Throws ContractError when there is none.
+double value_of(const Row& row, std::string_view name);
+
+}  // namespace frit::observe

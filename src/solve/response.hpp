@@ -1,0 +1,40 @@
+// Evaluation of an edge's normal response (problem.hpp): force, tangent, multiplier.
+#pragma once
+
+#include <algorithm>
+
+#include "solve/problem.hpp"
+
+namespace frit::solve {
+
+// P(q) of problem.hpp.
+inline double viscous_potential(const NormalResponse& r, double q) {
+  if (q <= 0.0) return 0.0;
+  if (q <= r.cap) return r.viscosity * q * q * q;
+  return r.viscosity * r.cap * r.cap * (3.0 * q - 2.0 * r.cap);
+}
+
+// P(start + growth a) - P(start), factored so that small approaches lose no digits.
+inline double viscous_force(const NormalResponse& r, double approach) {
+  if (r.viscosity == 0.0 || (r.opens_freely && approach <= 0.0)) return 0.0;
+  const double q0 = r.start, q1 = q0 + r.growth * approach;
+  if (q0 >= 0.0 && q0 <= r.cap && q1 >= 0.0 && q1 <= r.cap) {
+    return r.viscosity * r.growth * approach * (q0 * q0 + q0 * q1 + q1 * q1);
+  }
+  return viscous_potential(r, q1) - viscous_potential(r, q0);
+}
+
+// Derivative of viscous_force. Neck resistance at the end of the step.
+inline double viscous_tangent(const NormalResponse& r, double approach) {
+  if (r.viscosity == 0.0 || (r.opens_freely && approach < 0.0)) return 0.0;
+  const double q = std::clamp(r.start + r.growth * approach, 0.0, r.cap);
+  return 3.0 * r.viscosity * r.growth * q * q;
+}
+
+// Multiplier of the augmented Lagrangian: projection of l + penalty (a - threshold) on [0, limit].
+inline double projected_multiplier(const NormalResponse& r, double approach, double multiplier, double penalty) {
+  if (r.limit == 0.0) return 0.0;
+  return std::clamp(multiplier + penalty * (approach - r.threshold), 0.0, r.limit);
+}
+
+}  // namespace frit::solve
