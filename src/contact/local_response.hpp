@@ -54,16 +54,26 @@ inline LocalResponse respond(const SinteringLaw& law, const Pairing& pair, const
   return response;
 }
 
-// Response of a pair that closes its gap within the step: once touching it is a neck that grows from nothing after
-// Coble and resists like one; it attracts from the next step on (docs/decisions/0004). In the limit of short
-// steps this is Signorini's condition.
-inline LocalResponse respond_closing(const SinteringLaw& law, const Pairing& pair, double gap, double theta) {
+// A pair that may close its gap [m] within the step, and its (estimated) approach in the step [m].
+struct ClosingStep {
+  double gap, approach;
+};
+
+// Response of such a pair: once touching it is a neck that grows from nothing after Coble and resists like one.
+// It attracts for the part of the step after the (estimated) touch; without an estimate, not in this step
+// (docs/decisions/0004). In the limit of short steps this is Signorini's condition.
+inline LocalResponse respond_closing(const SinteringLaw& law, const Pairing& pair, const ClosingStep& step,
+                                     double theta) {
   const double largest = equilibrium_neck_radius(law, pair);
   LocalResponse response;
   response.viscosity = pi / (48.0 * pair.equivalent * theta);
   response.growth = 2.0 * pair.equivalent;
-  response.start = -response.growth * gap;
+  response.start = -response.growth * step.gap;
   response.cap = largest * largest;
+  if (step.approach > step.gap) {
+    const double share = step.gap > 0.0 ? 1.0 - step.gap / step.approach : 1.0;
+    response.pull = share * attraction_force(law, pair, 0.0);
+  }
   return response;
 }
 

@@ -18,14 +18,15 @@
 namespace frit::generate {
 namespace {
 
-enum Stream : std::uint64_t { position_stream, radius_stream };
+// Streams of random numbers: those of one use never repeat those of another.
+constexpr std::uint64_t position_stream = 0, radius_stream = 1;
 
 // docs/packings.md says how these were found.
 constexpr double rigid_coordination = 6.0;  // below it, spheres are not jammed by repulsion alone
 constexpr double rest_ratio = 0.01;         // overlap / R of an unloaded bond
 constexpr int bonding_rounds = 4;
 constexpr RelaxOptions push_apart = {.force_tolerance = 0.05, .overlap_tolerance = 1e-3, .most_steps = 1000};
-constexpr RelaxOptions pull_together = {.force_tolerance = 0.03, .overlap_tolerance = 0.0, .most_steps = 500};
+constexpr RelaxOptions pull_together = {.force_tolerance = 0.03, .most_steps = 500};
 // Spheres of the cube a ball is cut from, per sphere of the ball (6/pi for the ball that fills the cube), and
 // the least: a smaller cube would let a small ball see its own images.
 constexpr double cube_per_ball = 1.15 * 6.0 / pi;

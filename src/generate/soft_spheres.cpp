@@ -140,10 +140,9 @@ SoftSpheres::Sums SoftSpheres::compute_forces() {
 RelaxReport SoftSpheres::report_of(const Sums& sums, int step) const {
   const auto count = static_cast<double>(spheres_.size());
   RelaxReport report{.steps = step, .coordination = sums.contacts / count};
-  if (sums.contacts > 0.0) {
-    report.mean_overlap = sums.overlap / sums.contacts;
-    report.force_ratio = std::sqrt(sums.force_squared / count) / report.mean_overlap;
-  }
+  if (sums.contacts > 0.0) report.mean_overlap = sums.overlap / sums.contacts;
+  const double force_scale = bonds_.empty() ? report.mean_overlap : rest_ratio_;
+  if (force_scale > 0.0) report.force_ratio = std::sqrt(sums.force_squared / count) / force_scale;
   return report;
 }
 
@@ -155,8 +154,8 @@ RelaxReport SoftSpheres::relax(const RelaxOptions& options) {
   for (int step = 0;; ++step) {
     const Sums sums = compute_forces();
     const RelaxReport report = report_of(sums, step);
-    const bool done = report.mean_overlap <= options.overlap_tolerance ||
-                      report.force_ratio <= options.force_tolerance || step == options.most_steps;
+    const bool apart = bonds_.empty() && report.mean_overlap <= options.overlap_tolerance;
+    const bool done = apart || report.force_ratio <= options.force_tolerance || step == options.most_steps;
     if (done) return report;
     pace.follow(sums.power);
     const bool downhill = sums.power > 0.0;

@@ -11,15 +11,15 @@
 namespace frit::generate {
 
 struct RelaxOptions {
-  double force_tolerance = 0.05;     // balanced: rms net force / mean contact overlap
-  double overlap_tolerance = 0.001;  // apart: mean overlap of the contacts, in mean radii
+  double force_tolerance = 0.05;     // balanced: RelaxReport::force_ratio not above it
+  double overlap_tolerance = 0.001;  // apart: mean_overlap not above it; not asked of bonded spheres
   int most_steps = 1000;
 };
 
 struct RelaxReport {
   int steps = 0;
   double mean_overlap = 0.0;  // over pairs that overlap; 0 without any
-  double force_ratio = 0.0;   // rms net force / mean overlap
+  double force_ratio = 0.0;   // rms net force / mean overlap; with bonds, rms net force / rest ratio
   double coordination = 0.0;  // 2 overlapping pairs / spheres
 };
 

@@ -16,6 +16,9 @@ using ConstVec = Eigen::Map<const Vec3>;
 // Prospects are looked for within this share of the mean radius; a step that needs more looks again.
 constexpr double usual_reach = 0.1;
 constexpr double largest_reach = 1.7;
+// Below this mean approach (in mean radii) a step changes nothing that an accuracy could be asked of.
+constexpr double least_progress = 1e-8;
+constexpr double error_per_squared_difference = 2.0;
 
 // Rotation of a rotation vector that is the tangent form of the mid-step rule: |vector| = 2 tan(angle / 2), so
 // that a rigid rotation of any angle is exact (theory.md, eq. 11).
@@ -25,10 +28,11 @@ Quat cayley(const Vec3& rotation) {
   return q;
 }
 
-// A warm start: the last step's rates go on for this step.
+// A warm start: the motion of the last step once more (steps grow as rates fall), less if this step is shorter.
+// Rates times duration would let a body at equilibrium creep by the round-off of ever longer steps.
 void predict(const network::StepInput& input, solve::Solution& start) {
   const State& state = input.state;
-  const double dt = input.conditions.duration, length = input.scale.length;
+  const double dt = std::min(input.conditions.duration, state.last_step), length = input.scale.length;
   const std::size_t count = state.particles.size();
   const bool has_axes = state.cell.periodic || input.conditions.freedom == network::Freedom::affine;
   for (std::size_t n = 0; n < count; ++n) {
@@ -135,8 +139,9 @@ bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solu
   return solved.converged;
 }
 
-// First with the geometry of the start, then with that of mid-step: a first and a second order result, whose
-// difference estimates the error (theory.md, section 5).
+// First with the geometry of the start and no attraction of necks born within the step, then with the geometry of
+// mid-step and that attraction: a first and a second order result. The relative error of the second is of the
+// order of the square of their relative difference (theory.md, section 5; measured in docs/performance.md).
 bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, StepReport& report) {
   const double rough = std::max(settings_.tolerance, 0.03 * settings_.accuracy);
   if (!solve_pass(input, nullptr, rough, passes, report)) return false;
@@ -145,7 +150,8 @@ bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, S
   if (!solve_pass(input, &estimate, settings_.tolerance, passes, report)) return false;
   const std::vector<double> second = approaches(input, passes.problem, passes.solution);
   report.progress = mean_magnitude(second);
-  report.error = report.progress > 0.0 ? mean_difference(first, second) / report.progress : 0.0;
+  const double difference = mean_difference(first, second) / std::max(report.progress, least_progress);
+  report.error = error_per_squared_difference * difference * difference;
   return true;
 }
 
@@ -179,6 +185,7 @@ void ImplicitStep::move(const network::StepInput& input, const Passes& passes, S
         (relative - relative.dot(edge.normal) * edge.normal) * input.scale.length / dt;
   }
   to.time += dt;
+  to.last_step = dt;
   to.theta += input.conditions.theta;
   to.temperature = furnace_.temperature(to.time);
 }
@@ -198,10 +205,10 @@ StepReport ImplicitStep::attempt(const State& from, double duration, State& to) 
     move(input, passes, next);
     report.changes = contact::update_contacts(next, settings_.law, prospects);
     if (has_missed_contact(next, scale.length)) continue;
-    const double events = from.contacts.size() > 0 ? static_cast<double>(report.changes.born + report.changes.broken) /
-                                                         static_cast<double>(from.contacts.size())
-                                                   : 0.0;
-    report.error = std::max(report.error, 0.5 * events);
+    // A neck that breaks does so at the end of the step: half a step late on average.
+    if (report.changes.broken > 0) {
+      report.error += 0.5 * report.changes.broken / static_cast<double>(from.contacts.size());
+    }
     const bool accurate = !settings_.error_controls_step || report.error <= settings_.accuracy;
     report.verdict = accurate ? Verdict::accepted : Verdict::inaccurate;
     if (accurate) to = std::move(next);

@@ -97,11 +97,14 @@ class Builder {
   }
 
   void add_prospect(std::size_t k, const contact::Prospect& prospect) {
-    set_geometry(k, prospect.pair, separations(prospect.pair));
-    const bool rigid = in_.law.closing == contact::Closing::rigid;
-    set_response(k, rigid ? contact::respond_rigid(prospect.gap)
-                          : contact::respond_closing(in_.law, pairing_of(prospect.pair), prospect.gap,
-                                                     in_.conditions.theta));
+    const Separations d = separations(prospect.pair);
+    set_geometry(k, prospect.pair, d);
+    if (in_.law.closing == contact::Closing::rigid) {
+      set_response(k, contact::respond_rigid(prospect.gap));
+      return;
+    }
+    const contact::ClosingStep step{prospect.gap, d.start.norm() - d.end.norm()};
+    set_response(k, contact::respond_closing(in_.law, pairing_of(prospect.pair), step, in_.conditions.theta));
   }
 
   void add_bodies() {

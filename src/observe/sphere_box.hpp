@@ -14,8 +14,8 @@ struct Box {
   }
 };
 
-// Volume [m^3] of the sphere within the box, low <= high. Relative to the sphere's volume the error is below
-// 1e-9: whole spheres, half spaces and blocks inside the sphere are exact, the rest is integrated.
+// Volume [m^3] of the sphere within the box, low <= high. Whole spheres, half spaces and blocks inside the
+// sphere are exact; the rest is integrated, with an error below 1e-7 of the sphere's volume.
 double sphere_volume_in_box(const Vec3& centre, double radius, const Box& box);
 
 }  // namespace frit::observe

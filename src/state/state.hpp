@@ -17,6 +17,7 @@ struct State {
   Cell cell;
   double time = 0.0;                       // [s]
   double temperature = 0.0;                // [K]
+  double last_step = 0.0;                  // [s], duration of the last step; 0 before the first
   double theta = 0.0;                      // [m^5 s/(N s)], integral of Delta_b dt since the start
   Vec3 cell_rate = Vec3::Zero();           // [1/s], velocity gradient of the cell (or of the mean field), mean over the last step
   Vec3 cell_strain = Vec3::Zero();         // logarithmic strain of the cell since the start

@@ -113,12 +113,14 @@ double wedge(double a, double b) {
 }
 
 TEST(SphereInBox, CubeWhoseEdgesPassThroughTheSphere) {
-  for (const double half :
-       {0.58, 0.62, 0.7}) {  // its corners are outside: caps overlap in twelve separate wedges
+  // Its corners are outside: the caps of neighbouring faces overlap in twelve separate wedges.
+  double largest = 0.0;
+  for (double half = 0.578; half < 0.707; half += 0.0005) {
     const Vec3 corner = Vec3::Constant(half);
     const double expected = unit_ball - 6.0 * cap(1.0 - half) + 12.0 * wedge(half, half);
-    EXPECT_NEAR(unit_ball_in(-corner, corner), expected, 1e-9 * unit_ball) << half;
+    largest = std::max(largest, std::abs(unit_ball_in(-corner, corner) - expected));
   }
+  EXPECT_LT(largest, 1e-7 * unit_ball);
 }
 
 TEST(SphereInBox, TwoFacesCutAWedgeKnownToManyDigits) {

@@ -1,0 +1,55 @@
+// Who wants to know how a run goes: terminal, files, tests.
+#pragma once
+
+#include <string>
+
+#include "integrate/implicit_step.hpp"
+#include "observe/row.hpp"
+#include "run/setup.hpp"
+#include "run/stage_clock.hpp"
+#include "run/totals.hpp"
+#include "solve/problem.hpp"
+
+namespace frit::run {
+
+// How a run ended; `code` is the program's exit code.
+struct Ending {
+  int code = 0;
+  std::string reason;
+};
+
+// After an accepted step.
+struct StepView {
+  const State& state;
+  const integrate::StepReport& report;
+  const Totals& totals;
+  double density;  // relative; NaN: not known
+};
+
+// An output: the observables, then what the run itself counts.
+struct RowView {
+  const State& state;
+  const observe::Row& row;
+  double delta_b;  // [m^5/(N s)], now
+};
+
+struct EndView {
+  const Ending& ending;
+  const observe::Row& row;  // of the last state
+  const Totals& totals;
+  const StageClock& clock;                                  // entered `output`
+  const integrate::ImplicitStep::Failed* failed = nullptr;  // the problem that could not be solved, if one
+};
+
+// Called in this order: started once, then step_made and row_written, then finished once. References hold
+// during the call; that to the setup until finished.
+class RunListener {
+ public:
+  virtual ~RunListener() = default;
+  virtual void started(const Setup&) {}
+  virtual void step_made(const StepView&) {}
+  virtual void row_written(const RowView&) {}
+  virtual void finished(const EndView&) {}
+};
+
+}  // namespace frit::run

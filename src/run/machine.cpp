@@ -1,0 +1,39 @@
+#include "run/machine.hpp"
+
+#include <sched.h>
+#include <sys/resource.h>
+
+#include <fstream>
+
+namespace frit::run {
+namespace {
+
+std::string cpu_model() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (!line.starts_with("model name")) continue;
+    const auto colon = line.find(": ");
+    if (colon != line.npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+int usable_cores() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  return ::sched_getaffinity(0, sizeof(set), &set) == 0 ? CPU_COUNT(&set) : 0;
+}
+
+}  // namespace
+
+std::string_view version() { return FRIT_VERSION; }
+
+Machine this_machine() { return {cpu_model(), usable_cores()}; }
+
+std::int64_t peak_memory_bytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return 1024 * static_cast<std::int64_t>(usage.ru_maxrss);  // Linux counts in KiB
+}
+
+}  // namespace frit::run

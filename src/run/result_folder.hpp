@@ -1,0 +1,30 @@
+// A run's files: case.toml, series.csv, snapshots, and at the end summary.json (docs/formats.md).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "io/series.hpp"
+#include "run/listener.hpp"
+#include "run/snapshots.hpp"
+
+namespace frit::run {
+
+class ResultFolder : public RunListener {
+ public:
+  // The folder is made, and earlier results in it removed, when the run starts; nothing is touched before.
+  explicit ResultFolder(std::filesystem::path folder);
+
+  // Each throws MachineError where a file cannot be written.
+  void started(const Setup& setup) override;
+  void row_written(const RowView& view) override;
+  void finished(const EndView& view) override;
+
+ private:
+  std::filesystem::path folder_;
+  const Setup* setup_ = nullptr;
+  std::optional<io::SeriesWriter> series_;
+  std::optional<SnapshotWriter> snapshots_;
+};
+
+}  // namespace frit::run

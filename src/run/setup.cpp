@@ -1,0 +1,116 @@
+#include "run/setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "contact/detection.hpp"
+#include "core/error.hpp"
+#include "network/step_problem.hpp"
+#include "observe/density.hpp"
+#include "run/morton.hpp"
+#include "run/packing.hpp"
+#include "run/setup_checks.hpp"
+
+namespace frit::run {
+namespace {
+
+// Below this share of the time scale a step cannot help any more.
+constexpr double smallest_step_share = 1e-18;
+
+void throw_if_any(const FaultTexts& faults) {
+  if (!faults.empty()) throw InputError(faults);
+}
+
+std::optional<contact::GivenNecks> collect_necks(const config::Case& whole, std::size_t count,
+                                                 FaultTexts& faults) {
+  try {
+    return read_given_necks(whole, count);
+  } catch (const InputError& error) {
+    faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+    return std::nullopt;
+  }
+}
+
+// Rows of the user become rows along the curve.
+void rename_rows(const std::vector<std::int32_t>& order, contact::GivenNecks& necks) {
+  std::vector<std::int32_t> new_row(order.size());
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    new_row[static_cast<std::size_t>(order[n])] = static_cast<std::int32_t>(n);
+  }
+  for (auto& pair : necks.pairs) {
+    for (std::int32_t& row : pair) row = new_row[static_cast<std::size_t>(row)];
+  }
+}
+
+State make_state(const config::Case& whole, const contact::SinteringLaw& law, FaultTexts& faults) {
+  generate::Packing packing = make_packing(whole);
+  check_spheres(whole, packing, faults);
+  std::optional<contact::GivenNecks> necks = collect_necks(whole, packing.particles.size(), faults);
+  throw_if_any(faults);
+  const std::vector<std::int32_t> order = morton_order(packing.particles);
+  State state;
+  state.particles = reordered(packing.particles, order);
+  state.cell = packing.cell;
+  if (necks) {
+    rename_rows(order, *necks);
+    contact::use_given_contacts(state, law, *necks, whole.contact.initial_neck_ratio);
+  } else {
+    contact::find_initial_contacts(state, law, whole.contact.initial_neck_ratio);
+  }
+  return state;
+}
+
+integrate::StepLimits limits_of(const config::Method& method, double time_scale) {
+  integrate::StepLimits limits;
+  limits.fixed = method.time_step;
+  limits.accuracy = method.accuracy;
+  limits.largest = method.largest_step.value_or(limits.largest);
+  const double floor = std::isfinite(time_scale) ? smallest_step_share * time_scale : 0.0;
+  limits.smallest = method.smallest_step.value_or(floor);
+  if (limits.fixed) limits.smallest = std::min(limits.smallest, *limits.fixed * 1e-12);
+  return limits;
+}
+
+}  // namespace
+
+double time_scale_of(double mean_radius, double surface_energy, double delta_b) {
+  if (!(delta_b > 0.0)) return std::numeric_limits<double>::infinity();
+  return std::pow(mean_radius, 4) / (surface_energy * delta_b);
+}
+
+double Setup::tau_of(double theta) const {
+  return theta * settings.law.surface_energy / std::pow(reference.mean_radius, 4);
+}
+
+Setup make_setup(const config::Case& whole) {
+  FaultTexts faults;
+  const integrate::StepSettings settings = step_settings_of(whole);
+  const Heating heating = heating_of(whole);
+  State state = make_state(whole, settings.law, faults);
+  state.temperature = heating.start;
+  observe::Reference reference = observe::take_reference(state);
+  const double density = observe::relative_density(reference, state);
+  check_contacts(whole, state, faults);
+  check_stop(whole, reference, density, faults);
+  throw_if_any(faults);
+
+  const double length = network::scale_of(state.particles, settings.law).length;
+  const double time_scale =
+      time_scale_of(length, settings.law.surface_energy, heating.diffusion.delta_b(heating.hottest));
+  std::vector<std::string> warnings = find_warnings(whole, state, density);
+  return {.whole = whole,
+          .state = std::move(state),
+          .settings = settings,
+          .heating = heating,
+          .furnace = integrate::Furnace(heating.diffusion, heating.start, heating.ramps),
+          .limits = limits_of(whole.method, time_scale),
+          .reference = std::move(reference),
+          .density = density,
+          .time_scale = time_scale,
+          .warnings = std::move(warnings)};
+}
+
+}  // namespace frit::run

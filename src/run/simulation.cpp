@@ -1,0 +1,207 @@
+#include "run/simulation.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <utility>
+
+#include "observe/density.hpp"
+#include "run/neck_law.hpp"
+
+namespace frit::run {
+namespace {
+
+constexpr int not_computed = 3, stopped_by_signal = 128;  // exit codes; the signal's number is added
+
+// A stretch of dimensionless time in which nothing moves, and one in which something must have.
+constexpr double frozen_tau = 1e-30, patient_tau = 10.0;
+// Relative change of the density that is one.
+constexpr double least_change = 1e-8;
+// A step may be this much longer than proposed, relative, to end at a time that must be hit.
+constexpr double stretch = 1e-9;
+
+// The duration after `from` that ends at `to` to the last bit, as far as there is one.
+double duration_between(double from, double to) {
+  double duration = to - from;
+  for (int nudge = 0; nudge < 2 && from + duration != to; ++nudge) {
+    duration = std::nextafter(duration, from + duration < to ? HUGE_VAL : 0.0);
+  }
+  return duration;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Setup& setup, StageClock& clock, Interrupt interrupt)
+    : setup_(setup),
+      clock_(clock),
+      interrupt_(std::move(interrupt)),
+      step_(setup.settings, setup.furnace),
+      control_(setup.limits, step_.first_duration(setup.state)),
+      schedule_(setup.whole.output, setup.whole.stop, setup.heating.ramp_ends, setup.density),
+      state_(setup.state),
+      density_(setup.density),
+      last_change_{setup.density, setup.state.theta} {}
+
+std::optional<Ending> Simulation::reached_end() const {
+  const config::Stop& stop = setup_.whole.stop;
+  if (stop.time && state_.time >= *stop.time) return Ending{0, "stop.time is reached"};
+  if (stop.relative_density && density_ >= *stop.relative_density * (1.0 - density_tolerance))
+    return Ending{0, "stop.relative_density is reached"};
+  if (const int signal = interrupt_ ? interrupt_() : 0; signal != 0)
+    return Ending{stopped_by_signal + signal, fmt::format("stopped by signal {}", signal)};
+  return why_nothing_moves();
+}
+
+std::optional<Ending> Simulation::why_nothing_moves() const {
+  const config::Stop& stop = setup_.whole.stop;
+  const double T = setup_.heating.hottest;
+  if (stop.time ? setup_.tau_of(setup_.furnace.theta(0.0, *stop.time)) < frozen_tau
+                : !(setup_.heating.diffusion.delta_b(T) > 0.0)) {
+    return Ending{not_computed,
+                  fmt::format("nothing diffuses: Delta_b is {:.3g} m^5/(N s) at {:.6g} K, the hottest "
+                              "of the programme, so no contact moves",
+                              setup_.heating.diffusion.delta_b(T), T)};
+  }
+  if (!stop.time && setup_.tau_of(state_.theta - last_change_.theta) > patient_tau) {
+    return Ending{
+        not_computed,
+        fmt::format("stop.relative_density = {:.6g} is out of reach: the density stays at {:.6g}, no "
+                    "contact moves any more",
+                    stop.relative_density.value_or(0.0), density_)};
+  }
+  return std::nullopt;
+}
+
+double Simulation::duration_to_try() const {
+  const double hit = schedule_.next_hit(state_.time), left = hit - state_.time;
+  const double proposed = control_.proposed();
+  if (proposed >= left * (1.0 - stretch)) return duration_between(state_.time, hit);
+  // Two halves rather than a long step and a sliver.
+  if (!setup_.limits.fixed && proposed > 0.5 * left) return 0.5 * left;
+  return proposed;
+}
+
+// Whether it is too cold for anything to move within the duration, other than by inertia or a moving cell.
+bool Simulation::is_frozen(double duration) const {
+  if (setup_.settings.strain_rate || setup_.settings.inertia == network::Inertia::dynamic) return false;
+  return setup_.tau_of(setup_.furnace.theta(state_.time, state_.time + duration)) < frozen_tau;
+}
+
+Landing Simulation::waited(double duration) const {
+  Landing landing{{}, state_, density_};
+  landing.report.duration = duration;
+  landing.state.time += duration;
+  landing.state.temperature = setup_.furnace.temperature(landing.state.time);
+  return landing;
+}
+
+bool Simulation::attempt(double duration, Landing& landing) {
+  landing.report = step_.attempt(state_, duration, landing.state);
+  totals_.count_attempt(landing.report);
+  if (landing.report.verdict != integrate::Verdict::accepted) return false;
+  landing.density = observe::relative_density(setup_.reference, landing.state);
+  return true;
+}
+
+// A step of the duration, or a shorter one that ends at the stop's density. False: it must be repeated.
+bool Simulation::take_step(double duration, Landing& landing) {
+  const bool accepted = attempt(duration, landing);
+  last_report_ = landing.report;
+  control_.learn(last_report_);
+  if (!accepted) return false;
+  const auto target = setup_.whole.stop.relative_density;
+  if (!target || landing.density <= *target * (1.0 + density_tolerance)) return true;
+  const auto try_again = [&](double shorter, Landing& tried) {
+    ++totals_.fitting_attempts;
+    return attempt(shorter, tried);
+  };
+  if (fit_density(try_again, {density_, *target}, landing)) return true;
+  last_report_.verdict = integrate::Verdict::moved_too_far;
+  control_.learn(last_report_);
+  return false;
+}
+
+void Simulation::accept(Landing&& landing) {
+  const double hit = schedule_.next_hit(state_.time);
+  state_ = std::move(landing.state);
+  if (std::abs(state_.time - hit) <= stretch * stretch * hit) state_.time = hit;
+  density_ = landing.density;
+  totals_.count_step(landing.report);
+  last_report_ = landing.report;
+  if (!(std::abs(density_ - last_change_.density) <= least_change * density_)) {
+    last_change_ = {density_, state_.theta};
+  }
+}
+
+std::optional<Ending> Simulation::advance() {
+  for (;;) {
+    const double duration = duration_to_try();
+    if (is_frozen(duration)) {
+      accept(waited(duration));
+      return std::nullopt;
+    }
+    Landing landing;
+    if (take_step(duration, landing)) {
+      accept(std::move(landing));
+      return std::nullopt;
+    }
+    ++totals_.rejected_steps;
+    if (control_.is_exhausted()) return give_up();
+    if (const auto ended = reached_end()) return ended;
+  }
+}
+
+Ending Simulation::give_up() const {
+  return {not_computed,
+          fmt::format("the step at {:.6g} s cannot be made, not even with {:.3g} s: {}", state_.time,
+                      last_report_.duration, integrate::to_text(last_report_.verdict))};
+}
+
+observe::Row Simulation::observed_row() const {
+  const NeckArrays necks = necks_of(setup_.settings.law, state_, setup_.furnace.delta_b(state_.time));
+  observe::Row row = observe::observe_row(setup_.reference, state_, necks.view());
+  row.push_back({"time_step [s]", totals_.steps > 0 ? totals_.last_duration : observe::no_value});
+  row.push_back({"steps", static_cast<double>(totals_.steps)});
+  row.push_back({"newton_iterations", static_cast<double>(totals_.newton_iterations)});
+  row.push_back({"solver_iterations", static_cast<double>(totals_.solver_iterations)});
+  return row;
+}
+
+void Simulation::write_row(std::span<RunListener* const> listeners) {
+  clock_.enter(Stage::observe);
+  row_ = observed_row();
+  row_step_ = totals_.steps;
+  clock_.enter(Stage::output);
+  const RowView view{state_, row_, setup_.furnace.delta_b(state_.time)};
+  for (RunListener* listener : listeners) listener->row_written(view);
+}
+
+void Simulation::finish(const Ending& ending, std::span<RunListener* const> listeners) {
+  if (row_step_ != totals_.steps) write_row(listeners);
+  clock_.enter(Stage::output);
+  EndView view{ending, row_, totals_, clock_};
+  const bool unsolved = ending.code == not_computed && last_report_.verdict == integrate::Verdict::not_solved;
+  if (unsolved && step_.failed()) view.failed = &*step_.failed();
+  for (RunListener* listener : listeners) listener->finished(view);
+}
+
+Ending Simulation::run(std::span<RunListener* const> listeners) {
+  clock_.enter(Stage::output);
+  for (RunListener* listener : listeners) listener->started(setup_);
+  write_row(listeners);
+  std::optional<Ending> ending = reached_end();
+  while (!ending) {
+    clock_.enter(Stage::step);
+    ending = advance();
+    clock_.enter(Stage::output);
+    if (ending) break;
+    const StepView view{state_, last_report_, totals_, density_};
+    for (RunListener* listener : listeners) listener->step_made(view);
+    if (schedule_.is_due({state_.time, density_, totals_.steps})) write_row(listeners);
+    ending = reached_end();
+  }
+  finish(*ending, listeners);
+  return *ending;
+}
+
+}  // namespace frit::run

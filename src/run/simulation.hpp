@@ -1,0 +1,66 @@
+// The outer loop of a run: steps until a stop, outputs on the way, everyone told who listens.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "integrate/implicit_step.hpp"
+#include "integrate/step_control.hpp"
+#include "run/density_fit.hpp"
+#include "run/listener.hpp"
+#include "run/schedule.hpp"
+#include "run/setup.hpp"
+
+namespace frit::run {
+
+// The signal that asks the run to end after this step; 0: none.
+using Interrupt = std::function<int()>;
+
+class Simulation {
+ public:
+  // The setup must outlive the simulation.
+  Simulation(const Setup& setup, StageClock& clock, Interrupt interrupt = {});
+
+  // Runs to the end and tells the listeners. Whatever they throw comes out.
+  Ending run(std::span<RunListener* const> listeners);
+
+  const State& state() const { return state_; }
+  const Totals& totals() const { return totals_; }
+
+ private:
+  std::optional<Ending> reached_end() const;
+  std::optional<Ending> why_nothing_moves() const;
+  std::optional<Ending> advance();
+  double duration_to_try() const;
+  bool is_frozen(double duration) const;
+  Landing waited(double duration) const;
+  bool attempt(double duration, Landing& landing);
+  bool take_step(double duration, Landing& landing);
+  void accept(Landing&& landing);
+  Ending give_up() const;
+  observe::Row observed_row() const;
+  void write_row(std::span<RunListener* const> listeners);
+  void finish(const Ending& ending, std::span<RunListener* const> listeners);
+
+  // Where the density last changed by more than nothing.
+  struct LastChange {
+    double density, theta;
+  };
+
+  const Setup& setup_;
+  StageClock& clock_;
+  Interrupt interrupt_;
+  integrate::ImplicitStep step_;
+  integrate::StepControl control_;
+  Schedule schedule_;
+  State state_;
+  double density_;
+  LastChange last_change_;
+  Totals totals_;
+  integrate::StepReport last_report_;
+  observe::Row row_;
+  std::int64_t row_step_ = -1;  // steps made when the last row was written
+};
+
+}  // namespace frit::run

@@ -1,0 +1,37 @@
+// What a run has cost and how accurate it was, added up step by step.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "integrate/implicit_step.hpp"
+
+namespace frit::run {
+
+struct Totals {
+  std::int64_t steps = 0;              // accepted
+  std::int64_t rejected_steps = 0;     // repeated with a smaller duration
+  std::int64_t fitting_attempts = 0;   // extra attempts to end a step at the stop's density
+  std::int64_t newton_iterations = 0;  // of all attempts, as the next
+  std::int64_t solver_iterations = 0;
+  double last_duration = 0.0;     // [s], of the last accepted step
+  double largest_residual = 0.0;  // of the accepted steps
+  double weighted_error = 0.0;    // sum of error * progress over the accepted steps
+  double progress = 0.0;          // sum of progress
+
+  void count_attempt(const integrate::StepReport& report) {
+    newton_iterations += report.newton_iterations;
+    solver_iterations += report.linear_iterations;
+  }
+  void count_step(const integrate::StepReport& report) {
+    ++steps;
+    last_duration = report.duration;
+    largest_residual = std::max(largest_residual, report.residual);
+    weighted_error += report.error * report.progress;
+    progress += report.progress;
+  }
+  // Estimated relative error of density and necks over the run.
+  double accuracy() const { return progress > 0.0 ? weighted_error / progress : 0.0; }
+};
+
+}  // namespace frit::run
