@@ -19,6 +19,8 @@ constexpr double frozen_tau = 1e-30, patient_tau = 10.0;
 constexpr double least_change = 1e-8;
 // A step may be this much longer than proposed, relative, to end at a time that must be hit.
 constexpr double stretch = 1e-9;
+// Relative difference of two times that are one.
+constexpr double round_off = 1e-15;
 
 // The duration after `from` that ends at `to` to the last bit, as far as there is one.
 double duration_between(double from, double to) {
@@ -124,7 +126,7 @@ bool Simulation::take_step(double duration, Landing& landing) {
 void Simulation::accept(Landing&& landing) {
   const double hit = schedule_.next_hit(state_.time);
   state_ = std::move(landing.state);
-  if (std::abs(state_.time - hit) <= stretch * stretch * hit) state_.time = hit;
+  if (std::isfinite(hit) && std::abs(state_.time - hit) <= round_off * hit) state_.time = hit;
   density_ = landing.density;
   totals_.count_step(landing.report);
   last_report_ = landing.report;

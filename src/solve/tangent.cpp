@@ -13,16 +13,20 @@ namespace {
 using ConstVec = Eigen::Map<const Vec3>;
 using Block = Eigen::Matrix<double, 6, 6>;
 
-// Stiffness of the viscous part. The tangent 3 viscosity growth q^2, except where Newton's method would be thrown
-// far off by it: a neck torn in the trial motion keeps half its start; a neck far smaller than its own pull would
-// make it in the step (a young one) gets the chord to that size, since the tangent overshoots on a cubic.
+// Stiffness of the viscous part: its tangent 3 viscosity growth q^2, except where Newton's method would be thrown
+// far off by it. A neck far smaller than its own pull would make it in the step (a young one), or one torn in the
+// trial motion, gets the chord to that size: the tangent overshoots on a cubic and vanishes on a torn neck.
 double viscous_stiffness(const NormalResponse& r, double approach, Stiffness kind) {
   if (r.viscosity == 0.0) return 0.0;
   const double start = std::clamp(r.start, 0.0, r.cap);
-  const double q = std::clamp(r.start + r.growth * approach, 0.5 * start, r.cap);
+  const double q = r.start + r.growth * approach;
   const double free_q = std::min(r.cap, std::cbrt(start * start * start + r.pull / r.viscosity));
-  const double squares = kind == Stiffness::guarded && free_q > 2.0 * q ? free_q * free_q + free_q * q + q * q : 3.0 * q * q;
-  return r.viscosity * r.growth * squares;
+  const bool is_torn = r.pull > 0.0 && q < 0.25 * free_q;
+  const bool is_far = kind == Stiffness::guarded && free_q > 2.0 * q;
+  if (is_torn || is_far) {
+    return r.growth * (viscous_potential(r, free_q) - viscous_potential(r, q)) / (free_q - q);
+  }
+  return viscous_tangent({r.viscosity, r.start, r.growth, r.cap}, approach);
 }
 
 // Stiffness of the normal response, multiplier included, at the approach the gradient was evaluated at.

@@ -1,0 +1,1 @@
+"""Known answers of the whole program: cases, references and what was obtained."""

@@ -1,0 +1,127 @@
+"""Random packings: two solvers, symmetries of space, thread counts, order of convergence."""
+import math
+import random
+
+from . import law
+from .claims import Claim, has_failed, is_above, is_below, is_reported
+from .program import base_case, fixed_steps, random_dense, with_keys
+
+
+def time_to(x, x0=0.0):
+    """Time [s] in which two free spheres grow their neck from x0 to x."""
+    return law.tau_of_neck(x, x0) * law.time_scale()
+
+
+def positions(result, number=-1):
+    """Centres [m] in the order of the stable ids."""
+    arrays = result.snapshot("particles", number)
+    return [point for _, point in sorted(zip(arrays["id"], arrays["Points"]))]
+
+
+def rms_difference(first, second):
+    return math.sqrt(sum(math.dist(a, b)**2 for a, b in zip(first, second)) / len(first))
+
+
+def without_drift(points):
+    """The same points about their mean."""
+    mean = [sum(point[axis] for point in points) / len(points) for axis in range(3)]
+    return [tuple(point[axis] - mean[axis] for axis in range(3)) for point in points]
+
+
+def two_solvers(workshop):
+    """Newton with conjugate gradients and Gauss-Seidel give the same motion of 500 spheres."""
+    results = []
+    for solver in ("conjugate-gradients", "gauss-seidel"):
+        case = with_keys(random_dense(500), contact={"initial_neck_ratio": 0.2},
+                         **fixed_steps(time_to(0.25, 0.2), 2, solver=solver, tolerance=1e-9))
+        results.append(workshop.run(case))
+    first, second = (positions(result) for result in results)
+    moved = rms_difference(first, positions(results[0], 0))
+    return [is_below("two solvers agree, 500 spheres, 2 steps", "rms difference of positions / rms motion",
+                     rms_difference(first, second) / moved, 1e-6)]
+
+
+def rotation():
+    """A rotation matrix without special directions, from the unit quaternion (1, 2, 3, 4)/sqrt(30)."""
+    a, b, c, d = (n / math.sqrt(30) for n in (1, 2, 3, 4))
+    return [[a*a + b*b - c*c - d*d, 2 * (b*c - a*d), 2 * (b*d + a*c)],
+            [2 * (b*c + a*d), a*a - b*b + c*c - d*d, 2 * (c*d - a*b)],
+            [2 * (b*d - a*c), 2 * (c*d + a*b), a*a - b*b - c*c + d*d]]
+
+
+def turned(point):
+    return tuple(sum(row[axis] * point[axis] for axis in range(3)) for row in rotation())
+
+
+def shifted(point):
+    return (point[0] + 2e-4, point[1] - 1e-4, point[2] + 3e-4)
+
+
+def symmetries(workshop):
+    """Shift, rotation and relabelling of 500 spheres change nothing but what they must."""
+    spheres = workshop.pack(random_dense(500))
+    case = with_keys(base_case(), contact={"sliding_resistance": 0.01}, **fixed_steps(time_to(0.25), 4, tolerance=1e-9))
+    plain = workshop.run(case, spheres)
+    expected, moved = positions(plain), rms_difference(positions(plain), positions(plain, 0))
+    order = random.Random(1).sample(range(len(spheres)), len(spheres))
+    variants = {
+        "shift": ([(*shifted(s[:3]), s[3]) for s in spheres], [shifted(p) for p in expected]),
+        "rotation": ([(*turned(s[:3]), s[3]) for s in spheres], [turned(p) for p in expected]),
+        "relabelling": ([spheres[n] for n in order], [expected[n] for n in order]),
+    }
+    claims = []
+    for name, (changed, wanted) in variants.items():
+        difference = rms_difference(positions(workshop.run(case, changed)), wanted) / moved
+        claims.append(is_below(f"{name} of 500 spheres, 4 steps", "rms difference of positions / rms motion", difference, 1e-6))
+    return claims
+
+
+def thread_counts(workshop):
+    """series.csv is byte-equal for 1 and 2 threads (3,000 spheres: three blocks of work)."""
+    case = with_keys(random_dense(3000), stop={"time": time_to(0.2)}, output={"every_steps": 1})
+    one, two = (workshop.run(case, threads=threads).folder / "series.csv" for threads in (1, 2))
+    equal = one.read_bytes() == two.read_bytes()
+    return [Claim("1 and 2 threads, 3,000 spheres: series.csv", "the same bytes", "the same" if equal else "differ", "exact", equal)]
+
+
+def diluted_lattice(edge, seed):
+    """A free simple cubic block with a tenth of its places empty and radii spread by 2 %: no gap can close."""
+    source, spheres = random.Random(seed), []
+    for place in range(edge**3):
+        if source.random() > 0.1:
+            z, y, x = place // edge**2, place // edge % edge, place % edge
+            spheres.append((2 * law.RADIUS * x, 2 * law.RADIUS * y, 2 * law.RADIUS * z,
+                            law.RADIUS * source.uniform(1.0, 1.04)))
+    return spheres
+
+
+def order_claims(workshop, name, case, spheres, least_order):
+    """Order of convergence of density and positions under refinement of fixed steps."""
+    total, counts = time_to(0.35), (4, 8, 16, 128)
+    results = []
+    for steps in counts:
+        results.append(workshop.run(with_keys(case, **fixed_steps(total, steps, tolerance=1e-10)), spheres))
+    finest = results[-1]
+    moved = rms_difference(without_drift(positions(finest)), without_drift(positions(finest, 0)))
+    density = [result.final()["relative_density"] for result in results]
+    density_errors = [abs(value - density[-1]) / (density[-1] - finest.rows()[0]["relative_density"]) for value in density[:-1]]
+    position_errors = [rms_difference(without_drift(positions(result)), without_drift(positions(finest))) / moved
+                       for result in results[:-1]]
+    born = finest.final()["contacts"] - finest.rows()[0]["contacts"]
+    claims = [is_reported(f"{name}: necks born", "contacts at the end minus at the start", f"{born:g}")]
+    for what, errors in (("density", density_errors), ("positions (rms)", position_errors)):
+        order = math.log(errors[0] / errors[-1]) / math.log(counts[-2] / counts[0])
+        told = "4, 8, 16 steps against 128: errors " + ", ".join(f"{error:.1e}" for error in errors)
+        claims.append(is_above(f"{name}: order of {what}", told, order, least_order))
+    return claims
+
+
+def order_without_births(workshop):
+    case = with_keys(base_case(), contact={"sliding_resistance": 0.01, "initial_neck_ratio": 0.15})
+    return order_claims(workshop, "order, births impossible, diluted lattice of about 900", case, diluted_lattice(10, 1), 1.8)
+
+
+def order_with_births(workshop):
+    spheres = workshop.pack(random_dense(1000))
+    case = with_keys(base_case(), contact={"sliding_resistance": 0.01, "initial_neck_ratio": 0.15})
+    return order_claims(workshop, "order, births on, random packing of 1,000", case, spheres, 0.8)
