@@ -4,6 +4,8 @@
 #include <csignal>
 #include <cstdio>
 #include <new>
+#include <string>
+#include <system_error>
 
 #include "app/commands.hpp"
 #include "core/error.hpp"
@@ -57,6 +59,8 @@ int main(int argc, char** argv) {
     return tell_faults(error);
   } catch (const frit::MachineError& error) {
     return tell(error.what(), machine_failed);
+  } catch (const std::system_error& error) {
+    return tell(std::string("the system failed: ") + error.what(), machine_failed);
   } catch (const std::bad_alloc&) {
     return tell("there is not enough memory; use fewer particles or another machine", machine_failed);
   } catch (const frit::ContractError& error) {

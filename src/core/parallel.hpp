@@ -4,29 +4,31 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <exception>
+#include <memory>
 #include <vector>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
 
 namespace frit {
 
-// Number of threads that parallel loops use; 0 asks for every processor this process may run on.
+namespace detail {
+inline std::unique_ptr<tbb::global_control>& thread_limit() {
+  static std::unique_ptr<tbb::global_control> limit;
+  return limit;
+}
+}  // namespace detail
+
+// Number of threads that parallel loops use; 0 asks for every processor this process may run on. Not to be
+// called while a loop runs.
 inline void set_threads(int threads) {
-#ifdef _OPENMP
-  omp_set_num_threads(threads > 0 ? threads : omp_get_num_procs());
-#else
-  (void)threads;
-#endif
+  const int wanted = threads > 0 ? threads : tbb::info::default_concurrency();
+  detail::thread_limit() = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                                 static_cast<std::size_t>(wanted));
 }
 inline int threads() {
-#ifdef _OPENMP
-  return omp_get_max_threads();
-#else
-  return 1;
-#endif
+  return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
 inline constexpr std::size_t block_size = 1024;  // items per block; part of the results' definition
@@ -35,14 +37,16 @@ inline constexpr std::size_t block_size = 1024;  // items per block; part of the
 // body must not throw.
 template <class Body>
 void parallel_blocks(std::size_t count, Body&& body) {
-  const auto blocks = static_cast<std::ptrdiff_t>((count + block_size - 1) / block_size);
-#ifdef _OPENMP
-#pragma omp parallel for schedule(static) if (blocks > 1)
-#endif
-  for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-    const std::size_t begin = static_cast<std::size_t>(b) * block_size;
+  const std::size_t blocks = (count + block_size - 1) / block_size;
+  const auto run = [&](std::size_t block) {
+    const std::size_t begin = block * block_size;
     body(begin, std::min(count, begin + block_size));
+  };
+  if (blocks < 2 || threads() == 1) {
+    for (std::size_t block = 0; block < blocks; ++block) run(block);
+    return;
   }
+  tbb::parallel_for(std::size_t{0}, blocks, run);
 }
 
 // body(index) for each index of [0, count), in any order.

@@ -19,6 +19,8 @@ namespace {
 
 // Below this share of the time scale a step cannot help any more.
 constexpr double smallest_step_share = 1e-18;
+// A fixed step that must be halved below this share of what was asked for is not what was asked for.
+constexpr double smallest_fixed_share = 1e-6;
 
 void throw_if_any(const FaultTexts& faults) {
   if (!faults.empty()) throw InputError(faults);
@@ -70,7 +72,7 @@ integrate::StepLimits limits_of(const config::Method& method, double time_scale)
   limits.largest = method.largest_step.value_or(limits.largest);
   const double floor = std::isfinite(time_scale) ? smallest_step_share * time_scale : 0.0;
   limits.smallest = method.smallest_step.value_or(floor);
-  if (limits.fixed) limits.smallest = std::min(limits.smallest, *limits.fixed * 1e-12);
+  if (limits.fixed) limits.smallest = smallest_fixed_share * *limits.fixed;
   return limits;
 }
 

@@ -55,6 +55,7 @@ class Recorder : public RunListener {
   void started(const Setup& setup) override {
     ++starts;
     warnings = setup.warnings;
+    first = setup.state;
   }
   void step_made(const StepView& view) override {
     times.push_back(view.state.time);
@@ -80,7 +81,7 @@ class Recorder : public RunListener {
   std::vector<std::string> warnings;
   std::vector<double> times, durations;
   std::vector<observe::Row> rows;
-  State last;
+  State first, last;
   Totals totals;
   bool has_failed_problem = false;
 };

@@ -76,8 +76,7 @@ TEST(Stops, WhicheverStopComesFirstEndsTheRun) {
 TEST(Stops, ADensityOutOfReachEndsWithAReason) {
   const io::TemporaryFolder folder;
   Recorder recorder;
-  // Necks stop at x = sin(psi/2), long before the lattice is dense: D = 0.5236 (1 - x^2/4)^-3 = 0.567 for psi
-  // = 40 degrees.
+  // Necks stop at x = sin(20 degrees), long before the lattice is that dense.
   const Ending ending =
       run_case(periodic_case(folder, "simple-cubic", 8,
                              {"material.dihedral_angle=40 deg", "stop.relative_density=0.7"}),
@@ -85,7 +84,8 @@ TEST(Stops, ADensityOutOfReachEndsWithAReason) {
   EXPECT_EQ(ending.code, 3);
   EXPECT_NE(ending.reason.find("out of reach"), std::string::npos) << ending.reason;
   const double x = std::sin(20.0 * pi / 180.0);
-  EXPECT_NEAR(recorder.column("relative_density").back(), pi / 6.0 * std::pow(1.0 - x * x / 4.0, -3), 1e-5);
+  EXPECT_NEAR(recorder.column("relative_density").back(),
+              pi / 6.0 * std::pow(1.0 - (x * x - 0.03 * 0.03) / 4.0, -3), 1e-6);
   EXPECT_LT(recorder.totals.steps, 200);
 }
 

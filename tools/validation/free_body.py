@@ -1,8 +1,7 @@
 """A free ball of thousands of spheres from its first density to 0.87: no failed run, and not far from the mean field."""
 import math
 
-from . import law
-from .claims import has_failed, is_below, is_reported, is_skipped
+from .claims import has_failed, is_below, is_reported
 from .program import RunFailed, base_case, random_dense, read_packing, with_keys
 
 LATEST = {0.70: 0.10, 0.80: 0.05, 0.87: 0.05}  # how much later than the mean field, at most

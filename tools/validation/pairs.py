@@ -66,11 +66,11 @@ def load_on(force):
 
 def loaded(workshop):
     """Under a load P the neck follows f_a + P; pulled beyond f_a it thins."""
-    claims, x0, spheres = [], 0.3, touching(law.RADIUS, law.RADIUS)
+    claims, x0 = [], 0.3
     for ratio, total in ((2.0, 100.0), (-0.5, 100.0), (-1.5, 10.0)):
         load = ratio * law.attraction()
         case = with_keys(necked(x0), particles=load_on(load), **fixed_steps(total, 3))
-        obtained = workshop.run(case, spheres).final()["neck_ratio_mean"]
+        obtained = workshop.run(case, touching(law.RADIUS, law.RADIUS)).final()["neck_ratio_mean"]
         claims.append(is_equal(f"two spheres under P = {ratio:g} f_a: x", law.neck_under_load(load, total, x0), obtained, 1e-6))
     return claims
 
