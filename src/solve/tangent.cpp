@@ -238,11 +238,7 @@ Mat3 TangentOperator::axes_block() const {
 BlockJacobi::BlockJacobi(const TangentOperator& matrix) : inverse_(matrix.problem().bodies()) {
   const Problem& problem = matrix.problem();
   parallel_for(inverse_.size(), [&](std::size_t body) {
-    const Block inverse = invert(matrix.body_block(body), problem.mass[body], problem.moment[body]);
-    int entry = 0;
-    for (int row = 0; row < 6; ++row) {
-      for (int column = 0; column <= row; ++column) inverse_[body][entry++] = inverse(row, column);
-    }
+    inverse_[body] = invert(matrix.body_block(body), problem.mass[body], problem.moment[body]);
   });
   if (!problem.has_axes) return;
   Block padded = Block::Zero();
@@ -251,16 +247,8 @@ BlockJacobi::BlockJacobi(const TangentOperator& matrix) : inverse_(matrix.proble
 }
 
 void BlockJacobi::apply_body(std::size_t body, const double* in, double* out) const {
-  const double* entry = inverse_[body].data();
-  for (int row = 0; row < 6; ++row) {
-    double sum = 0.0;
-    for (int column = 0; column < row; ++column, ++entry) {
-      sum += *entry * in[column];
-      out[column] += *entry * in[row];
-    }
-    out[row] = sum + *entry * in[row];
-    ++entry;
-  }
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  Eigen::Map<Vector6>(out).noalias() = inverse_[body] * Eigen::Map<const Vector6>(in);
 }
 
 void BlockJacobi::apply_axes(const double* in, double* out) const {

@@ -68,8 +68,7 @@ class BlockJacobi {
   void apply_axes(const double* in, double* out) const;
 
  private:
-  using Packed = Eigen::Matrix<double, 21, 1>;  // lower triangle, row by row
-  std::vector<Packed> inverse_;
+  std::vector<Eigen::Matrix<double, 6, 6>> inverse_;
   Mat3 axes_inverse_ = Mat3::Zero();
 };
 
