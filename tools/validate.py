@@ -23,7 +23,8 @@ def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--quick", action="store_true", help="only what takes less than a minute together")
     parser.add_argument("--write", action="store_true", help="put the table into docs/validation.md")
-    parser.add_argument("--packing", type=pathlib.Path, metavar="FILE", help="CSV packing for the free body instead of a generated one")
+    parser.add_argument("--packing", type=pathlib.Path, metavar="FILE",
+                        help="CSV packing for the free body instead of a generated one")
     parser.add_argument("--only", metavar="TEXT", help="only groups whose name contains the text")
     parser.add_argument("--program", type=pathlib.Path, help="the program to test (default: the release build)")
     return parser.parse_args()

@@ -59,12 +59,14 @@ struct Material {
 
 enum class Attraction : std::uint8_t { bouvard_mcmeeking, parhami_mcmeeking };
 enum class Pull : std::uint8_t { bilateral, unilateral };
+enum class Closing : std::uint8_t { viscous, rigid };
 enum class Spins : std::uint8_t { free, blocked };
 enum class EquilibriumRadius : std::uint8_t { equivalent, smaller };
 
 struct ContactSettings {
   Attraction attraction = Attraction::bouvard_mcmeeking;
   Pull pull = Pull::bilateral;
+  Closing closing = Closing::viscous;
   double sliding_resistance = 0.0;  // eta
   bool neck_bending = false;        // rolling and twisting resistance
   Spins spins = Spins::free;

@@ -186,6 +186,14 @@ std::vector<Key> contact_keys() {
        .choices = {{"bilateral"}, {"unilateral"}},
        .sentence =
            "A neck pulled harder than its attraction stretches viscously (bilateral) or opens (unilateral)."},
+      {.path = "contact.closing",
+       .type = Type::choice,
+       .slot = in_case<&Case::contact, &ContactSettings::closing>(),
+       .fallback = "viscous",
+       .choices = {{"viscous"}, {"rigid"}},
+       .sentence =
+           "How a gap that closes within a step resists: like the neck that is born there, which also "
+           "attracts for the rest of the step (viscous), or rigidly until the next step (rigid)."},
       {.path = "contact.sliding_resistance",
        .type = Type::quantity,
        .slot = in_case<&Case::contact, &ContactSettings::sliding_resistance>(),

@@ -14,7 +14,9 @@ using neighbor::Pair;
 auto key(const Pair& pair) { return std::tie(pair.i, pair.j, pair.image); }
 bool before(const Pair& a, const Pair& b) { return key(a) < key(b); }
 
-Pair pair_at(const Contacts& contacts, std::size_t k) { return {contacts.i[k], contacts.j[k], contacts.image[k]}; }
+Pair pair_at(const Contacts& contacts, std::size_t k) {
+  return {contacts.i[k], contacts.j[k], contacts.image[k]};
+}
 Pair pair_at(const Cracks& cracks, std::size_t n) { return {cracks.i[n], cracks.j[n], cracks.image[n]}; }
 
 Pairing pairing_of(const State& state, const Pair& pair) {
@@ -60,7 +62,8 @@ void copy_contact(const Contacts& from, std::size_t k, Contacts& to) {
 }
 
 // Neck radius squared of a contact of the packing.
-double initial_neck_squared(const SinteringLaw& law, const Pairing& pairing, double overlap, double initial_ratio) {
+double initial_neck_squared(const SinteringLaw& law, const Pairing& pairing, double overlap,
+                            double initial_ratio) {
   const double asked = initial_ratio * pairing.equivalent;
   const double q = std::max(coble_neck_squared(pairing, overlap), asked * asked);
   // Round-off overlaps are no necks.
@@ -105,8 +108,10 @@ void renew_cracks(State& state, const std::vector<Birth>& births, const std::vec
   std::vector<Birth> kept = parted;
   for (std::size_t n = 0; n < state.cracks.size(); ++n) {
     const Pair pair = pair_at(state.cracks, n);
-    const bool closed = std::any_of(births.begin(), births.end(), [&](const Birth& b) { return b.pair == pair; });
-    if (!closed && overlap_of(state, pair) > 0.0) kept.push_back({pair, 0.0, state.cracks.overlap_when_parted[n]});
+    const bool closed =
+        std::any_of(births.begin(), births.end(), [&](const Birth& b) { return b.pair == pair; });
+    if (!closed && overlap_of(state, pair) > 0.0)
+      kept.push_back({pair, 0.0, state.cracks.overlap_when_parted[n]});
   }
   std::sort(kept.begin(), kept.end(), [](const Birth& a, const Birth& b) { return before(a.pair, b.pair); });
   state.cracks = {};
@@ -156,11 +161,13 @@ void find_initial_contacts(State& state, const SinteringLaw& law, double initial
     const Pairing pairing = pairing_of(state, pair);
     const double overlap = overlap_of(state, pair);
     if (overlap < -touching_distance(pairing)) continue;
-    append(state.contacts, {pair, initial_neck_squared(law, pairing, overlap, initial_neck_ratio), overlap}, 0.0);
+    append(state.contacts, {pair, initial_neck_squared(law, pairing, overlap, initial_neck_ratio), overlap},
+           0.0);
   }
 }
 
-void use_given_contacts(State& state, const SinteringLaw& law, const GivenNecks& given, double initial_neck_ratio) {
+void use_given_contacts(State& state, const SinteringLaw& law, const GivenNecks& given,
+                        double initial_neck_ratio) {
   std::vector<Birth> births;
   for (std::size_t n = 0; n < given.pairs.size(); ++n) {
     const Pair pair = nearest_image(state, given.pairs[n][0], given.pairs[n][1]);
@@ -170,7 +177,8 @@ void use_given_contacts(State& state, const SinteringLaw& law, const GivenNecks&
     if (!given.neck_radius.empty()) q = given.neck_radius[n] * given.neck_radius[n];
     births.push_back({pair, q, overlap});
   }
-  std::sort(births.begin(), births.end(), [](const Birth& a, const Birth& b) { return before(a.pair, b.pair); });
+  std::sort(births.begin(), births.end(),
+            [](const Birth& a, const Birth& b) { return before(a.pair, b.pair); });
   state.contacts = {};
   for (const Birth& birth : births) append(state.contacts, birth, 0.0);
   state.cracks = {};

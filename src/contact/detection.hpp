@@ -11,8 +11,8 @@
 
 namespace frit::contact {
 
-// A pair without a neck that may touch, when its overlap [m] reaches `touching`: zero, or for a broken neck the
-// overlap at which its faces parted. The gap [m] is what is missing now.
+// A pair without a neck that may touch, when its overlap [m] reaches `touching`: zero, or for a broken neck
+// the overlap at which its faces parted. The gap [m] is what is missing now.
 struct Prospect {
   neighbor::Pair pair;
   double gap;
@@ -32,7 +32,8 @@ struct GivenNecks {
   std::vector<std::array<std::int32_t, 2>> pairs;
   std::vector<double> neck_radius;
 };
-void use_given_contacts(State& state, const SinteringLaw& law, const GivenNecks& given, double initial_neck_ratio);
+void use_given_contacts(State& state, const SinteringLaw& law, const GivenNecks& given,
+                        double initial_neck_ratio);
 
 // Pairs without a neck whose gap is at most `reach` [m], sorted as neighbor::find_pairs sorts.
 std::vector<Prospect> find_prospects(const State& state, double reach);

@@ -20,9 +20,9 @@ struct LocalResponse {
   double threshold = 0.0;  // [m]
   double limit = 0.0;      // [N]
   bool opens_freely = false;
-  double sliding = 0.0;    // [N/m]
-  double rolling = 0.0;    // [N m]
-  double twisting = 0.0;   // [N m]
+  double sliding = 0.0;   // [N/m]
+  double rolling = 0.0;   // [N m]
+  double twisting = 0.0;  // [N m]
 };
 
 // A neck as the step sees it: neck radius squared at its start and (estimated) at its end [m^2].
@@ -30,10 +30,11 @@ struct NeckStep {
   double start, end;
 };
 
-// Response of a sintering neck in a step over which Delta_b integrates to theta [m^5 s/(N s)]. The normal part
-// is the exact flow of the law (impulse pi (r1^6 - r0^6) / (48 R Delta_b), whatever the history); the others
-// use the mean of start and end.
-inline LocalResponse respond(const SinteringLaw& law, const Pairing& pair, const NeckStep& neck, double theta) {
+// Response of a sintering neck in a step over which Delta_b integrates to theta [m^5 s/(N s)]. The normal
+// part is the exact flow of the law (impulse pi (r1^6 - r0^6) / (48 R Delta_b), whatever the history); the
+// others use the mean of start and end.
+inline LocalResponse respond(const SinteringLaw& law, const Pairing& pair, const NeckStep& neck,
+                             double theta) {
   const double largest = equilibrium_neck_radius(law, pair);
   const double cap = largest * largest;
   const double start = std::min(neck.start, cap), end = std::clamp(neck.end, 0.0, cap);
@@ -59,9 +60,9 @@ struct ClosingStep {
   double gap, approach;
 };
 
-// Response of such a pair: once touching it is a neck that grows from nothing after Coble and resists like one.
-// It attracts for the part of the step after the (estimated) touch; without an estimate, not in this step
-// (docs/decisions/0004). In the limit of short steps this is Signorini's condition.
+// Response of such a pair: once touching it is a neck that grows from nothing after Coble and resists like
+// one. It attracts for the part of the step after the (estimated) touch; without an estimate, not in this
+// step (docs/decisions/0004). In the limit of short steps this is Signorini's condition.
 inline LocalResponse respond_closing(const SinteringLaw& law, const Pairing& pair, const ClosingStep& step,
                                      double theta) {
   const double largest = equilibrium_neck_radius(law, pair);

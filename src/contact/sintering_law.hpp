@@ -1,10 +1,10 @@
 // The sintering law of two spheres (theory.md, eqs. 1 to 6): attraction, resistances, equilibrium.
 //
-// Normal force f_n = c_n V_n - f_a with c_n = pi r^4 / (8 Delta_b), > 0 repels; approach velocity V_n > 0 when
-// the centres approach; neck growth dr/dt = (R/r) V_n, so r^2 = r0^2 + 2 R (approach). At r_max = R sin(psi/2)
-// the attraction ends. Sliding f_t = -c_t u_t with c_t = eta pi r^2 R^2 / (8 Delta_b).
-// Sources: Bouvard & McMeeking 1996, Parhami & McMeeking 1998, Martin & Bordia 2009, Coble 1958, Raj & Ashby
-// 1971, as collected by Martin et al., Comput. Mater. Sci. 2014 (eqs. 1 to 4 there).
+// Normal force f_n = c_n V_n - f_a with c_n = pi r^4 / (8 Delta_b), > 0 repels; approach velocity V_n > 0
+// when the centres approach; neck growth dr/dt = (R/r) V_n, so r^2 = r0^2 + 2 R (approach). At r_max = R
+// sin(psi/2) the attraction ends. Sliding f_t = -c_t u_t with c_t = eta pi r^2 R^2 / (8 Delta_b). Sources:
+// Bouvard & McMeeking 1996, Parhami & McMeeking 1998, Martin & Bordia 2009, Coble 1958, Raj & Ashby 1971, as
+// collected by Martin et al., Comput. Mater. Sci. 2014 (eqs. 1 to 4 there).
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct SinteringLaw {
   Pull pull = Pull::bilateral;
   EquilibriumRadius equilibrium_radius = EquilibriumRadius::equivalent;
   Closing closing = Closing::viscous;
-  bool neck_bending = false;        // rolling and twisting are resisted
+  bool neck_bending = false;  // rolling and twisting are resisted
 };
 
 // Two spheres in contact: radii and 2 R1 R2 / (R1 + R2) [m].
@@ -58,8 +58,8 @@ inline double attraction_force(const SinteringLaw& law, const Pairing& pair, dou
          (4.0 * pair.equivalent * (1.0 - std::cos(half)) + neck_radius * std::sin(half));
 }
 
-// Resistances of a neck. Per velocity [N s/m, N m s] when `mobility` is Delta_b [m^5/(N s)]; per displacement of
-// a step [N/m, N m] when it is the integral of Delta_b over the step.
+// Resistances of a neck. Per velocity [N s/m, N m s] when `mobility` is Delta_b [m^5/(N s)]; per displacement
+// of a step [N/m, N m] when it is the integral of Delta_b over the step.
 struct Resistances {
   double normal, sliding, rolling, twisting;
 };

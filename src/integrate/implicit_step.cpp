@@ -20,16 +20,16 @@ constexpr double largest_reach = 1.7;
 constexpr double least_progress = 1e-8;
 constexpr double error_per_squared_difference = 2.0;
 
-// Rotation of a rotation vector that is the tangent form of the mid-step rule: |vector| = 2 tan(angle / 2), so
-// that a rigid rotation of any angle is exact (theory.md, eq. 11).
+// Rotation of a rotation vector that is the tangent form of the mid-step rule: |vector| = 2 tan(angle / 2),
+// so that a rigid rotation of any angle is exact (theory.md, eq. 11).
 Quat cayley(const Vec3& rotation) {
   Quat q(1.0, 0.5 * rotation.x(), 0.5 * rotation.y(), 0.5 * rotation.z());
   q.normalize();
   return q;
 }
 
-// A warm start: the motion of the last step once more (steps grow as rates fall), less if this step is shorter.
-// Rates times duration would let a body at equilibrium creep by the round-off of ever longer steps.
+// A warm start: the motion of the last step once more (steps grow as rates fall), less if this step is
+// shorter. Rates times duration would let a body at equilibrium creep by the round-off of ever longer steps.
 void predict(const network::StepInput& input, solve::Solution& start) {
   const State& state = input.state;
   const double dt = std::min(input.conditions.duration, state.last_step), length = input.scale.length;
@@ -102,10 +102,14 @@ bool has_missed_contact(const State& to, double mean_radius) {
 
 std::string_view to_text(Verdict verdict) {
   switch (verdict) {
-    case Verdict::accepted: return "accepted";
-    case Verdict::not_solved: return "the solver did not converge";
-    case Verdict::inaccurate: return "the estimated error is too large";
-    case Verdict::moved_too_far: return "particles moved too far in one step";
+    case Verdict::accepted:
+      return "accepted";
+    case Verdict::not_solved:
+      return "the solver did not converge";
+    case Verdict::inaccurate:
+      return "the estimated error is too large";
+    case Verdict::moved_too_far:
+      return "particles moved too far in one step";
   }
   return "";
 }
@@ -115,8 +119,8 @@ struct ImplicitStep::Passes {
   solve::Solution solution;
 };
 
-bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solution* estimate, double tolerance,
-                              Passes& passes, StepReport& report) {
+bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solution* estimate,
+                              double tolerance, Passes& passes, StepReport& report) {
   passes.problem = network::make_problem(input, estimate);
   solve::Solution start;
   if (estimate == nullptr) {
@@ -139,9 +143,10 @@ bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solu
   return solved.converged;
 }
 
-// First with the geometry of the start and no attraction of necks born within the step, then with the geometry of
-// mid-step and that attraction: a first and a second order result. The relative error of the second is of the
-// order of the square of their relative difference (theory.md, section 5; measured in docs/performance.md).
+// First with the geometry of the start and no attraction of necks born within the step, then with the
+// geometry of mid-step and that attraction: a first and a second order result. The relative error of the
+// second is of the order of the square of their relative difference (theory.md, section 5; measured in
+// docs/performance.md).
 bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, StepReport& report) {
   const double rough = std::max(settings_.tolerance, 0.03 * settings_.accuracy);
   if (!solve_pass(input, nullptr, rough, passes, report)) return false;
@@ -205,10 +210,11 @@ StepReport ImplicitStep::attempt(const State& from, double duration, State& to) 
     move(input, passes, next);
     report.changes = contact::update_contacts(next, settings_.law, prospects);
     if (has_missed_contact(next, scale.length)) continue;
-    // A neck that breaks does so at the end of the step: half a step late on average.
-    if (report.changes.broken > 0) {
-      report.error += 0.5 * report.changes.broken / static_cast<double>(from.contacts.size());
-    }
+    // These count at the end of the step only: half a step late on average.
+    const bool is_born_late = settings_.law.closing == contact::Closing::rigid;
+    const int late = report.changes.broken + (is_born_late ? report.changes.born : 0);
+    if (late > 0)
+      report.error += 0.5 * late / static_cast<double>(std::max<std::size_t>(1, from.contacts.size()));
     const bool accurate = !settings_.error_controls_step || report.error <= settings_.accuracy;
     report.verdict = accurate ? Verdict::accepted : Verdict::inaccurate;
     if (accurate) to = std::move(next);

@@ -1,4 +1,5 @@
-// The implicit step of contact dynamics: from a state and a duration to the next state, or to a reason why not.
+// The implicit step of contact dynamics: from a state and a duration to the next state, or to a reason why
+// not.
 #pragma once
 
 #include <memory>
@@ -23,11 +24,11 @@ struct StepSettings {
   network::Freedom freedom = network::Freedom::particles;
   Solver solver = Solver::conjugate_gradients;
   bool spins_blocked = false;
-  double accuracy = 0.01;             // relative error of densification and necks, estimated per unit progress
-  bool error_controls_step = true;    // false: the duration is the user's, the error is only reported
-  double tolerance = 1e-6;            // of the step's residual (solve/gradient.hpp)
-  Vec3 stress = Vec3::Zero();         // [Pa], on a periodic cell
-  std::optional<Vec3> strain_rate;    // [1/s], of a periodic cell, instead of the stress
+  double accuracy = 0.01;           // relative error of densification and necks, estimated per unit progress
+  bool error_controls_step = true;  // false: the duration is the user's, the error is only reported
+  double tolerance = 1e-6;          // of the step's residual (solve/gradient.hpp)
+  Vec3 stress = Vec3::Zero();       // [Pa], on a periodic cell
+  std::optional<Vec3> strain_rate;  // [1/s], of a periodic cell, instead of the stress
 };
 
 enum class Verdict { accepted, not_solved, inaccurate, moved_too_far };
@@ -36,19 +37,21 @@ std::string_view to_text(Verdict verdict);
 // What a step did and what it cost.
 struct StepReport {
   Verdict verdict = Verdict::accepted;
-  double duration = 0.0;      // [s]
-  double error = 0.0;         // estimated, relative to the progress of the step
-  double progress = 0.0;      // mean magnitude of the contacts' approach / mean radius
-  double residual = 0.0;      // of the last solve
+  double duration = 0.0;  // [s]
+  double error = 0.0;     // estimated, relative to the progress of the step
+  double progress = 0.0;  // mean magnitude of the contacts' approach / mean radius
+  double residual = 0.0;  // of the last solve
   int solves = 0, newton_iterations = 0;
   long linear_iterations = 0;
   contact::ContactChanges changes;
 };
 
-// Makes steps. Holds no history: everything a step needs is in the state, so a repeated step repeats its bits.
+// Makes steps. Holds no history: everything a step needs is in the state, so a repeated step repeats its
+// bits.
 class ImplicitStep {
  public:
-  ImplicitStep(const StepSettings& settings, const Furnace& furnace) : settings_(settings), furnace_(furnace) {}
+  ImplicitStep(const StepSettings& settings, const Furnace& furnace)
+      : settings_(settings), furnace_(furnace) {}
 
   // Tries a step of `duration` [s] from `from`. When accepted `to` is the next state, otherwise untouched.
   StepReport attempt(const State& from, double duration, State& to);
@@ -65,8 +68,8 @@ class ImplicitStep {
 
  private:
   struct Passes;
-  bool solve_pass(const network::StepInput& input, const solve::Solution* estimate, double tolerance, Passes& passes,
-                  StepReport& report);
+  bool solve_pass(const network::StepInput& input, const solve::Solution* estimate, double tolerance,
+                  Passes& passes, StepReport& report);
   bool solve_both(const network::StepInput& input, Passes& passes, StepReport& report);
   void move(const network::StepInput& input, const Passes& passes, State& to) const;
 

@@ -23,8 +23,8 @@ void StepControl::learn(const StepReport& report) {
     return;
   }
   // The error per unit progress is of second order in the step.
-  const double factor = std::clamp(safety * std::sqrt(limits_.accuracy / std::max(report.error, 1e-300)), largest_cut,
-                                   largest_growth);
+  const double factor = std::clamp(safety * std::sqrt(limits_.accuracy / std::max(report.error, 1e-300)),
+                                   largest_cut, largest_growth);
   if (report.verdict == Verdict::inaccurate) {
     proposed_ = report.duration * std::min(factor, 0.9);
     return;

@@ -20,7 +20,8 @@ constexpr std::array<double, 4> gauss_weight{0.3626837833783620, 0.3137066458778
 
 double BoundaryDiffusion::delta_b(double T) const {
   if (!(T > 0.0)) return 0.0;
-  return atomic_volume * prefactor * std::exp(-activation_energy / (gas_constant * T)) / (boltzmann_constant * T);
+  return atomic_volume * prefactor * std::exp(-activation_energy / (gas_constant * T)) /
+         (boltzmann_constant * T);
 }
 
 Furnace::Furnace(const BoundaryDiffusion& diffusion, double start_temperature, std::vector<Ramp> ramps)

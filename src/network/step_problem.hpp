@@ -1,9 +1,9 @@
 // From the responses of all contacts to the problem of one step: the only bridge between laws and solver.
 //
 // Dimensionless inside: lengths by the mean radius, forces by surface energy times mean radius, so that no
-// absolute number meets an inertia of 1e-15 (theory.md, section 4). Geometry is that of mid-step: with the sum
-// m = (d0 + d1)/2 of the separations at both ends of the step, the distance changes by exactly
-// (d1 - d0).m / (|d0| + |d1|) * 2, and a rigid rotation adds neither approach nor sliding (theory.md, eq. 11).
+// absolute number meets an inertia of 1e-15 (theory.md, section 4). Geometry is that of mid-step: with the
+// sum m = (d0 + d1)/2 of the separations at both ends of the step, the distance changes by exactly (d1 -
+// d0).m / (|d0| + |d1|) * 2, and a rigid rotation adds neither approach nor sliding (theory.md, eq. 11).
 #pragma once
 
 #include <array>
@@ -29,14 +29,14 @@ enum class Freedom { particles, affine };  // affine: every particle moves with 
 
 // What acts during the step and which unknowns there are.
 struct Conditions {
-  double duration = 0.0;                      // dt [s]
-  double theta = 0.0;                         // integral of Delta_b over the step [m^5 s/(N s)]
+  double duration = 0.0;  // dt [s]
+  double theta = 0.0;     // integral of Delta_b over the step [m^5 s/(N s)]
   Inertia inertia = Inertia::overdamped;
   Freedom freedom = Freedom::particles;
   bool spins_blocked = false;
-  Vec3 stress = Vec3::Zero();                 // [Pa], on the axes of a periodic cell, tension positive
+  Vec3 stress = Vec3::Zero();  // [Pa], on the axes of a periodic cell, tension positive
   std::array<bool, 3> axis_prescribed{false, false, false};
-  Vec3 axis_gradient = Vec3::Zero();          // [1], displacement gradient of the step where prescribed
+  Vec3 axis_gradient = Vec3::Zero();  // [1], displacement gradient of the step where prescribed
 };
 
 // The contacts of the step: necks of the state, then prospects; edges of the problem are in this order.

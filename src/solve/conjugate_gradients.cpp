@@ -62,7 +62,8 @@ LinearReport conjugate_gradients(TangentOperator& matrix, const BlockJacobi& pre
   std::vector<double> r(right_side.begin(), right_side.end()), z(unknowns), q(unknowns, 0.0);
   x.assign(unknowns, 0.0);
   std::vector<double> p(unknowns, 0.0);
-  Update update{preconditioner, matrix.problem().bodies(), 0.0, p.data(), q.data(), x.data(), r.data(), z.data()};
+  Update update{preconditioner, matrix.problem().bodies(), 0.0, p.data(), q.data(), x.data(), r.data(),
+                z.data()};
   Pair norms = update.run();
   const double start = norms[0];
   LinearReport report;

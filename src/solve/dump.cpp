@@ -20,7 +20,8 @@ std::vector<double> flat(const std::vector<Vec3>& values) {
 
 std::vector<Vec3> vectors(const std::vector<double>& numbers) {
   std::vector<Vec3> values(numbers.size() / 3);
-  for (std::size_t n = 0; n < values.size(); ++n) values[n] = {numbers[3 * n], numbers[3 * n + 1], numbers[3 * n + 2]};
+  for (std::size_t n = 0; n < values.size(); ++n)
+    values[n] = {numbers[3 * n], numbers[3 * n + 1], numbers[3 * n + 2]};
   return values;
 }
 
@@ -28,10 +29,9 @@ std::vector<double> edge_numbers(const Problem& problem) {
   std::vector<double> numbers;
   for (const Edge& e : problem.edges) {
     const NormalResponse& r = e.response;
-    numbers.insert(numbers.end(),
-                   {double(e.i), double(e.j), e.normal.x(), e.normal.y(), e.normal.z(), e.arm_i, e.arm_j,
-                    e.approach_scale, r.viscosity, r.start, r.growth, r.cap, r.pull, r.threshold, r.limit,
-                    e.sliding, e.rolling, e.twisting});
+    numbers.insert(numbers.end(), {double(e.i), double(e.j), e.normal.x(), e.normal.y(), e.normal.z(),
+                                   e.arm_i, e.arm_j, e.approach_scale, r.viscosity, r.start, r.growth, r.cap,
+                                   r.pull, r.threshold, r.limit, e.sliding, e.rolling, e.twisting});
   }
   return numbers;
 }
@@ -62,7 +62,8 @@ void check(bool good, const char* what) {
 void check_sizes(const Dumped& dumped) {
   const Problem& p = dumped.problem;
   const std::size_t bodies = p.bodies();
-  check(p.moment.size() == bodies && p.load.size() == bodies && p.torque.size() == bodies && p.held.size() == bodies,
+  check(p.moment.size() == bodies && p.load.size() == bodies && p.torque.size() == bodies &&
+            p.held.size() == bodies,
         "arrays of bodies differ in length");
   check(!p.has_axes || p.branch.size() == p.edges.size(), "branch vectors do not fit the edges");
   check(dumped.start.motion.size() == p.unknowns(), "start motion does not fit the bodies");

@@ -32,17 +32,18 @@ Vec3 relative_motion(const Problem& problem, std::size_t k, std::span<const doub
   return relative + turning.cross(edge.normal);
 }
 
-EdgeAction act(const Problem& problem, std::size_t k, std::span<const double> motion, const MultiplierRule& rule) {
+EdgeAction act(const Problem& problem, std::size_t k, std::span<const double> motion,
+               const MultiplierRule& rule) {
   const Edge& edge = problem.edges[k];
   EdgeAction action;
   action.relative = relative_motion(problem, k, motion);
   const double along = action.relative.dot(edge.normal);
   action.approach = edge.approach_scale * along;
-  action.multiplier =
-      rule.kind == Multipliers::given
-          ? rule.multiplier
-          : projected_multiplier(edge.response, action.approach, rule.multiplier, rule.penalty);
-  action.normal_force = viscous_force(edge.response, action.approach) - edge.response.pull + action.multiplier;
+  action.multiplier = rule.kind == Multipliers::given ? rule.multiplier
+                                                      : projected_multiplier(edge.response, action.approach,
+                                                                             rule.multiplier, rule.penalty);
+  action.normal_force =
+      viscous_force(edge.response, action.approach) - edge.response.pull + action.multiplier;
   action.force = edge.sliding * action.relative +
                  (edge.approach_scale * action.normal_force - edge.sliding * along) * edge.normal;
   action.moment = Vec3::Zero();

@@ -11,7 +11,7 @@ namespace frit::solve {
 enum class Multipliers { given, projected };
 
 struct EdgeAction {
-  Vec3 relative;        // motion of the first body against the second at the contact point
+  Vec3 relative;  // motion of the first body against the second at the contact point
   double approach;
   double multiplier;    // the one used in normal_force
   double normal_force;  // > 0 repels
@@ -26,6 +26,7 @@ struct MultiplierRule {
   Multipliers kind;
   double multiplier, penalty;
 };
-EdgeAction act(const Problem& problem, std::size_t edge, std::span<const double> motion, const MultiplierRule& rule);
+EdgeAction act(const Problem& problem, std::size_t edge, std::span<const double> motion,
+               const MultiplierRule& rule);
 
 }  // namespace frit::solve

@@ -91,8 +91,9 @@ class Sweeps {
       block += motion.transpose() * stiffness(edge, action, penalty_[k]) * motion;
       if (edge.i == edge.j) continue;
       gradient.tail<3>() += (incident.is_second() ? -1.0 : 1.0) * action.moment;
-      block.bottomRightCorner<3, 3>() += edge.rolling * Mat3::Identity() +
-                                         (edge.twisting - edge.rolling) * edge.normal * edge.normal.transpose();
+      block.bottomRightCorner<3, 3>() += edge.rolling * Mat3::Identity() + (edge.twisting - edge.rolling) *
+                                                                               edge.normal *
+                                                                               edge.normal.transpose();
     }
   }
 
@@ -152,7 +153,8 @@ class Sweeps {
     for (std::size_t k = 0; k < problem_.edges.size(); ++k) {
       if (problem_.edges[k].response.limit == 0.0) continue;
       solution_.multiplier[k] =
-          act(problem_, k, solution_.motion, {Multipliers::projected, solution_.multiplier[k], penalty_[k]}).multiplier;
+          act(problem_, k, solution_.motion, {Multipliers::projected, solution_.multiplier[k], penalty_[k]})
+              .multiplier;
     }
   }
 

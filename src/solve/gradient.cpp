@@ -104,7 +104,8 @@ Residual Gradient::residual(std::span<const double> penalty) const {
     for (std::size_t k = begin; k < end; ++k) {
       const NormalResponse& response = problem_.edges[k].response;
       if (response.limit == 0.0) continue;
-      sum += squared(projected_multiplier(response, approach_[k], multiplier_[k], penalty[k]) - multiplier_[k]);
+      sum +=
+          squared(projected_multiplier(response, approach_[k], multiplier_[k], penalty[k]) - multiplier_[k]);
     }
     return sum;
   });

@@ -23,12 +23,12 @@ class Gradient {
  public:
   explicit Gradient(const Problem& problem);
 
-  // The gradient at `motion`. With Multipliers::projected the forces use the augmented Lagrangian's multiplier
-  // (edge_action.hpp), otherwise the given one. Held unknowns have gradient 0.
+  // The gradient at `motion`. With Multipliers::projected the forces use the augmented Lagrangian's
+  // multiplier (edge_action.hpp), otherwise the given one. Held unknowns have gradient 0.
   void evaluate(const Solution& at, std::span<const double> penalty, Multipliers kind);
 
-  const std::vector<double>& values() const { return values_; }          // unknowns
-  const std::vector<double>& approach() const { return approach_; }      // one per edge
+  const std::vector<double>& values() const { return values_; }      // unknowns
+  const std::vector<double>& approach() const { return approach_; }  // one per edge
   const std::vector<double>& normal_force() const { return normal_force_; }
   const std::vector<double>& multiplier() const { return multiplier_; }  // used in the forces
   const std::vector<Vec3>& relative_motion() const { return relative_; }

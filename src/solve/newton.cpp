@@ -72,8 +72,8 @@ class NewtonSolve {
            residual_.force <= std::max(0.5 * options_.tolerance, 0.05 * stiff_violation);
   }
 
-  // Inexact Newton: a digit or two beyond the best residual so far, none beyond the tolerance. The best and not
-  // the present one, because a set that has just become active makes the present one large and local.
+  // Inexact Newton: a digit or two beyond the best residual so far, none beyond the tolerance. The best and
+  // not the present one, because a set that has just become active makes the present one large and local.
   double forcing_term() {
     best_force_ = std::min(best_force_, residual_.force);
     const double step = std::min(0.01, 0.5 * std::sqrt(best_force_)) * best_force_;
@@ -93,7 +93,8 @@ class NewtonSolve {
   }
 
   void move(double length) {
-    parallel_for(direction_.size(), [&](std::size_t n) { solution_.motion[n] = start_[n] + length * direction_[n]; });
+    parallel_for(direction_.size(),
+                 [&](std::size_t n) { solution_.motion[n] = start_[n] + length * direction_[n]; });
     evaluate();
   }
 

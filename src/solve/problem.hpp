@@ -1,7 +1,8 @@
-// The problem of one implicit step as plain data: bodies, edges between them and the edge lengths of the cell.
+// The problem of one implicit step as plain data: bodies, edges between them and the edge lengths of the
+// cell.
 //
-// Unknown is the motion of the step, 6 numbers a body (displacement, rotation vector) and 3 axes (displacement
-// gradient of the cell). It minimises the convex function whose gradient is, for every body,
+// Unknown is the motion of the step, 6 numbers a body (displacement, rotation vector) and 3 axes
+// (displacement gradient of the cell). It minimises the convex function whose gradient is, for every body,
 //     inertia * motion - load + sum over edges of (force, moment) = 0            (theory.md, eq. 12)
 // The solver knows neither particles nor laws: a problem can be written to a file (dump.hpp), replayed by any
 // solver and judged by the one residual (gradient.hpp). Units are the caller's; network uses dimensionless
@@ -37,7 +38,7 @@ struct NormalResponse {
 // An edge joins body i to body j (i == j: a body and its own periodic copy).
 struct Edge {
   std::int32_t i = 0, j = 0;
-  Vec3 normal = Vec3::Zero();  // unit vector from i to j
+  Vec3 normal = Vec3::Zero();       // unit vector from i to j
   double arm_i = 0.0, arm_j = 0.0;  // lever arms along the normal, their sum is the distance
   double approach_scale = 1.0;      // approach = scale * normal component of the relative motion
   NormalResponse response;
@@ -50,19 +51,20 @@ inline constexpr std::uint8_t holds_translation = 1, holds_rotation = 2;
 
 struct Problem {
   // one per body
-  std::vector<double> mass;     // inertia against displacement, mass / dt^2
-  std::vector<double> moment;   // inertia against rotation
-  std::vector<Vec3> load;       // force, including mass * motion that inertia alone would give
+  std::vector<double> mass;    // inertia against displacement, mass / dt^2
+  std::vector<double> moment;  // inertia against rotation
+  std::vector<Vec3> load;      // force, including mass * motion that inertia alone would give
   std::vector<Vec3> torque;
-  std::vector<std::uint8_t> held;  // holds_translation | holds_rotation: those unknowns keep their start value
+  std::vector<std::uint8_t>
+      held;  // holds_translation | holds_rotation: those unknowns keep their start value
   // one per edge
   std::vector<Edge> edges;
   std::vector<Vec3> branch;  // vector from i to j that the cell's gradient stretches; empty without axes
   // the cell
   bool has_axes = false;
-  Vec3 axis_load = Vec3::Zero();       // stress times volume
+  Vec3 axis_load = Vec3::Zero();                    // stress times volume
   std::array<bool, 3> axis_held{true, true, true};  // held axes keep their start value (prescribed rates)
-  double force_unit = 1.0;             // what a residual of one means: norm of the driving forces
+  double force_unit = 1.0;  // what a residual of one means: norm of the driving forces
 
   std::size_t bodies() const { return mass.size(); }
   std::size_t unknowns() const { return 6 * bodies() + 3; }
@@ -84,15 +86,15 @@ struct Report {
   int newton_iterations = 0;
   long linear_iterations = 0;
   int multiplier_updates = 0;
-  double residual = 0.0;              // of the last iterate, in force units of the problem
-  std::vector<double> history;        // residual before every iteration
+  double residual = 0.0;        // of the last iterate, in force units of the problem
+  std::vector<double> history;  // residual before every iteration
 };
 
 struct Options {
-  double tolerance = 1e-6;            // on the residual (gradient.hpp)
+  double tolerance = 1e-6;  // on the residual (gradient.hpp)
   int largest_newton_iterations = 60;
   long largest_linear_iterations = 20000;  // of one linear solve
-  double penalty_factor = 30.0;      // stiffness of a multiplier over that of its surroundings
+  double penalty_factor = 30.0;            // stiffness of a multiplier over that of its surroundings
 };
 
 }  // namespace frit::solve

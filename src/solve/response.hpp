@@ -32,7 +32,8 @@ inline double viscous_tangent(const NormalResponse& r, double approach) {
 }
 
 // Multiplier of the augmented Lagrangian: projection of l + penalty (a - threshold) on [0, limit].
-inline double projected_multiplier(const NormalResponse& r, double approach, double multiplier, double penalty) {
+inline double projected_multiplier(const NormalResponse& r, double approach, double multiplier,
+                                   double penalty) {
   if (r.limit == 0.0) return 0.0;
   return std::clamp(multiplier + penalty * (approach - r.threshold), 0.0, r.limit);
 }

@@ -74,8 +74,12 @@ class Walk {
 struct Inertia {
   const Problem& problem;
   bool massless;
-  double mass(std::int32_t body) const { return massless ? 1.0 : problem.mass[static_cast<std::size_t>(body)]; }
-  double moment(std::int32_t body) const { return massless ? 1.0 : problem.moment[static_cast<std::size_t>(body)]; }
+  double mass(std::int32_t body) const {
+    return massless ? 1.0 : problem.mass[static_cast<std::size_t>(body)];
+  }
+  double moment(std::int32_t body) const {
+    return massless ? 1.0 : problem.moment[static_cast<std::size_t>(body)];
+  }
 };
 
 void centre(const Inertia& inertia, Cluster& cluster) {
@@ -93,8 +97,9 @@ void balance_translation(const Inertia& inertia, const Cluster& cluster, std::ve
   double mass = 0.0;
   for (const std::int32_t body : cluster.bodies) {
     const double own = inertia.mass(body);
-    missing += (inertia.massless ? Vec3(Vec3::Zero()) : inertia.problem.load[static_cast<std::size_t>(body)]) -
-               own * MutVec(motion.data() + 6 * body);
+    missing +=
+        (inertia.massless ? Vec3(Vec3::Zero()) : inertia.problem.load[static_cast<std::size_t>(body)]) -
+        own * MutVec(motion.data() + 6 * body);
     mass += own;
   }
   for (const std::int32_t body : cluster.bodies) MutVec(motion.data() + 6 * body) += missing / mass;
@@ -129,7 +134,8 @@ std::vector<Cluster> find_clusters(const Problem& problem, const Solution& solut
     if (walk.seen(body)) continue;
     clusters.push_back(walk.from(body));
     double mass = 0.0;
-    for (const std::int32_t member : clusters.back().bodies) mass += problem.mass[static_cast<std::size_t>(member)];
+    for (const std::int32_t member : clusters.back().bodies)
+      mass += problem.mass[static_cast<std::size_t>(member)];
     centre({problem, mass == 0.0}, clusters.back());
   }
   return clusters;

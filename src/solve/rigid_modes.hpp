@@ -1,5 +1,6 @@
-// Rigid motions of connected clusters: nothing but inertia resists them, and its share of the operator is below
-// round-off. So they are not left to the linear solver: every free cluster gets the momentum its loads give.
+// Rigid motions of connected clusters: nothing but inertia resists them, and its share of the operator is
+// below round-off. So they are not left to the linear solver: every free cluster gets the momentum its loads
+// give.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,8 @@
 
 namespace frit::solve {
 
-// A set of bodies joined by necks (or by active rigid contacts), with positions relative to its centre of mass.
+// A set of bodies joined by necks (or by active rigid contacts), with positions relative to its centre of
+// mass.
 struct Cluster {
   std::vector<std::int32_t> bodies;
   std::vector<Vec3> position;  // one per body

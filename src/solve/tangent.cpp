@@ -13,9 +13,10 @@ namespace {
 using ConstVec = Eigen::Map<const Vec3>;
 using Block = Eigen::Matrix<double, 6, 6>;
 
-// Stiffness of the viscous part: its tangent 3 viscosity growth q^2, except where Newton's method would be thrown
-// far off by it. A neck far smaller than its own pull would make it in the step (a young one), or one torn in the
-// trial motion, gets the chord to that size: the tangent overshoots on a cubic and vanishes on a torn neck.
+// Stiffness of the viscous part: its tangent 3 viscosity growth q^2, except where Newton's method would be
+// thrown far off by it. A neck far smaller than its own pull would make it in the step (a young one), or one
+// torn in the trial motion, gets the chord to that size: the tangent overshoots on a cubic and vanishes on a
+// torn neck.
 double viscous_stiffness(const NormalResponse& r, double approach, Stiffness kind) {
   if (r.viscosity == 0.0) return 0.0;
   const double start = std::clamp(r.start, 0.0, r.cap);
@@ -30,7 +31,8 @@ double viscous_stiffness(const NormalResponse& r, double approach, Stiffness kin
 }
 
 // Stiffness of the normal response, multiplier included, at the approach the gradient was evaluated at.
-double normal_stiffness(const Edge& edge, double approach, double multiplier, double penalty, Stiffness kind) {
+double normal_stiffness(const Edge& edge, double approach, double multiplier, double penalty,
+                        Stiffness kind) {
   double stiffness = viscous_stiffness(edge.response, approach, kind);
   const bool on_the_set = multiplier > 0.0 && multiplier < edge.response.limit;
   if (on_the_set) stiffness += penalty;
@@ -96,16 +98,22 @@ std::vector<std::array<std::int32_t, 2>> ends_of(const std::vector<TangentEdge>&
   return ends;
 }
 
-std::vector<TangentEdge> stiff_edges(const Problem& problem, const Gradient& at, std::span<const double> penalty,
-                                     Stiffness kind, std::vector<std::size_t>& kept) {
+std::vector<TangentEdge> stiff_edges(const Problem& problem, const Gradient& at,
+                                     std::span<const double> penalty, Stiffness kind,
+                                     std::vector<std::size_t>& kept) {
   std::vector<TangentEdge> edges;
   edges.reserve(problem.edges.size());
   for (std::size_t k = 0; k < problem.edges.size(); ++k) {
     const Edge& edge = problem.edges[k];
     const double normal = normal_stiffness(edge, at.approach()[k], at.multiplier()[k], penalty[k], kind);
     if (normal == 0.0 && edge.sliding == 0.0 && edge.rolling == 0.0) continue;
-    edges.push_back({{edge.normal.x(), edge.normal.y(), edge.normal.z()}, edge.arm_i, edge.arm_j,
-                     normal - edge.sliding, edge.sliding, edge.i, edge.j});
+    edges.push_back({{edge.normal.x(), edge.normal.y(), edge.normal.z()},
+                     edge.arm_i,
+                     edge.arm_j,
+                     normal - edge.sliding,
+                     edge.sliding,
+                     edge.i,
+                     edge.j});
     kept.push_back(k);
   }
   return edges;

@@ -28,7 +28,8 @@ enum class Stiffness { tangent, guarded };
 // K + M at a motion: symmetric, positive (semi)definite. Edges without stiffness are left out.
 class TangentOperator {
  public:
-  TangentOperator(const Problem& problem, const Gradient& at, std::span<const double> penalty, Stiffness kind);
+  TangentOperator(const Problem& problem, const Gradient& at, std::span<const double> penalty,
+                  Stiffness kind);
 
   // out = (K + M) in; unknowns as in problem.hpp; held unknowns give 0 and must be 0 in `in`.
   void apply(std::span<const double> in, std::span<double> out);
@@ -47,7 +48,7 @@ class TangentOperator {
 
   const Problem& problem_;
   std::vector<TangentEdge> edges_;
-  std::vector<Vec3> branch_;             // empty without axes
+  std::vector<Vec3> branch_;                // empty without axes
   std::vector<double> rolling_, twisting_;  // empty when no neck resists them
   Incidence incidence_;
   struct EdgeForce {

@@ -45,6 +45,7 @@ TEST(Schema, ChoicesFollowTheirEnumerations) {
   EXPECT_EQ(choice("cell.kind", CellKind::periodic), "periodic");
   EXPECT_EQ(choice("contact.attraction", Attraction::parhami_mcmeeking), "parhami-mcmeeking");
   EXPECT_EQ(choice("contact.pull", Pull::unilateral), "unilateral");
+  EXPECT_EQ(choice("contact.closing", Closing::rigid), "rigid");
   EXPECT_EQ(choice("contact.spins", Spins::blocked), "blocked");
   EXPECT_EQ(choice("contact.equilibrium_radius", EquilibriumRadius::smaller), "smaller");
   EXPECT_EQ(choice("method.name", MethodName::quasi_static), "quasi-static");

@@ -32,6 +32,7 @@ TEST(Translate, DefaultsAreThePapersLaw) {
   const auto settings = step_settings_of(pair_case(folder));
   EXPECT_EQ(settings.law.attraction, contact::Attraction::bouvard_mcmeeking);
   EXPECT_EQ(settings.law.pull, contact::Pull::bilateral);
+  EXPECT_EQ(settings.law.closing, contact::Closing::viscous);
   EXPECT_EQ(settings.inertia, network::Inertia::overdamped);
   EXPECT_EQ(settings.freedom, network::Freedom::particles);
   EXPECT_EQ(settings.solver, integrate::Solver::conjugate_gradients);

@@ -80,8 +80,8 @@ TEST(Gradient, OfARigidMotionIsZero) {
     Solution at = Solution::at_rest(sample.problem);
     for (std::size_t n = 0; n < sample.position.size(); ++n) {
       const Vec3 u = shift + turn.cross(sample.position[n]);
-      for (int axis = 0; axis < 3; ++axis)
-        at.motion[6 * n + axis] = u[axis], at.motion[6 * n + 3 + axis] = turn[axis];
+      Eigen::Map<Vec3>(at.motion.data() + 6 * n) = u;
+      Eigen::Map<Vec3>(at.motion.data() + 6 * n + 3) = turn;
     }
     for (const double value : evaluated(sample.problem, at, {})) EXPECT_NEAR(value, 0.0, 1e-11);
   }
@@ -91,7 +91,10 @@ TEST(Gradient, HasInternalForcesInBalance) {
   Dice dice(7);
   for (int draw = 0; draw < 10; ++draw) {
     ClusterSample sample = random_cluster({.mass = 0.0, .sliding = 0.3}, dice);
-    for (Edge& edge : sample.problem.edges) edge.rolling = 3.0, edge.twisting = 2.0;
+    for (Edge& edge : sample.problem.edges) {
+      edge.rolling = 3.0;
+      edge.twisting = 2.0;
+    }
     const Solution at = random_solution(sample.problem, 0.02, dice);
     const std::vector<double> values = evaluated(sample.problem, at, {});
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();

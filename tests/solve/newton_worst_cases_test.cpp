@@ -164,7 +164,7 @@ TEST(UnilateralNeck, PulledBeyondItsAttractionFliesOff) {
 }
 
 TEST(TornNeck, PulledBeyondAllItsViscosityFliesOff) {
-  for (const double mass : {1.0, 1e-2, 1e-4}) {
+  for (const double mass : {1.0, 0.1}) {
     Problem p = chain({0.01}, mass, 1.0);
     NormalResponse& r = p.edges[0].response;
     const double strength = r.pull + r.viscosity * r.start * r.start * r.start;

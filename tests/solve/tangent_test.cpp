@@ -17,7 +17,16 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 const std::vector<Kind> smooth_kinds{Kind::neck, Kind::beyond_cap, Kind::closing_gap, Kind::equilibrium_box,
                                      Kind::rigid_gap};
 
-// A problem, a point and the operator there; motions small enough that no neck loses half of its start.
+// No neck is so young that the operator guards it with a chord (tangent.cpp).
+Problem without_young_necks(Problem p) {
+  for (Edge& edge : p.edges) {
+    if (edge.response.start > 0.0)
+      edge.response.start = std::max(edge.response.start, 0.5 * edge.response.cap);
+  }
+  return p;
+}
+
+// A problem, a point and the operator there.
 struct Linearised {
   Problem problem;
   Solution at;
@@ -42,7 +51,7 @@ struct Linearised {
 TEST(TangentOperator, IsTheDerivativeOfTheGradient) {
   Dice dice(1);
   for (int draw = 0; draw < 10; ++draw) {
-    Linearised l(arbitrary_problem({}, smooth_kinds, dice), 0.01, dice);
+    Linearised l(without_young_necks(arbitrary_problem({}, smooth_kinds, dice)), 0.01, dice);
     const Eigen::MatrixXd full = dense(l.matrix);
     Gradient gradient(l.problem);
     for (std::size_t n = 0; n < l.problem.unknowns(); ++n) {

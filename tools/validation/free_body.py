@@ -33,7 +33,8 @@ def against_mean_field(name, rows, affine_rows):
     claims = []
     for density, limit in LATEST.items():
         later = at_density(rows, "time [s]", density) / at_density(affine_rows, "time [s]", density) - 1
-        claims.append(is_below(f"{name}: later at D = {density:g} than the mean field", "(time - time of it) / time of it", later, limit))
+        claims.append(is_below(f"{name}: later at D = {density:g} than the mean field", "(time - time of it) / time of it",
+                               later, limit))
     return claims
 
 

@@ -4,7 +4,6 @@ import csv
 import dataclasses
 import json
 import math
-import os
 import pathlib
 import subprocess
 
@@ -15,7 +14,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "build/release/src/app/frit"
 LONGEST_RUN = 120.0  # [s], a run that takes longer has failed; free bodies ask for more
 NEVER = 2_000_000_000  # output.every_steps: first and last state only
-ENVIRONMENT = {**os.environ, "OMP_WAIT_POLICY": "passive"}
 
 
 class RunFailed(RuntimeError):
@@ -110,8 +108,8 @@ class Workshop:
 
     def call(self, command, longest=LONGEST_RUN):
         try:
-            done = subprocess.run([str(PROGRAM), *map(str, command)], capture_output=True, text=True, env=ENVIRONMENT,
-                                  check=False, timeout=longest)
+            done = subprocess.run([str(PROGRAM), *map(str, command)], capture_output=True, text=True, check=False,
+                                  timeout=longest)
         except subprocess.TimeoutExpired:
             raise RunFailed(f"stopped after {longest:g} s") from None
         if done.returncode != 0:
@@ -125,8 +123,8 @@ class Workshop:
             write_packing(folder / "packing.csv", spheres)
             case = with_keys(case, packing={"file": "packing.csv"})
         write_case(folder / "case.toml", case)
-        self.call(["run", folder / "case.toml", "-o", folder / "out", "--quiet", "--threads", threads or self.threads],
-                  longest)
+        threads = self.threads if threads is None else threads
+        self.call(["run", folder / "case.toml", "-o", folder / "out", "--quiet", "--threads", threads], longest)
         return Result(folder / "out")
 
     def pack(self, case):
