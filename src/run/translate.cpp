@@ -16,8 +16,7 @@ contact::SinteringLaw law_of(const config::Case& whole) {
                        ? contact::Attraction::parhami_mcmeeking
                        : contact::Attraction::bouvard_mcmeeking;
   law.pull = asked.pull == config::Pull::unilateral ? contact::Pull::unilateral : contact::Pull::bilateral;
-  law.closing =
-      asked.closing == config::Closing::rigid ? contact::Closing::rigid : contact::Closing::viscous;
+  law.closing = asked.closing == config::Closing::rigid ? contact::Closing::rigid : contact::Closing::viscous;
   law.equilibrium_radius = asked.equilibrium_radius == config::EquilibriumRadius::smaller
                                ? contact::EquilibriumRadius::smaller
                                : contact::EquilibriumRadius::equivalent;

@@ -126,6 +126,16 @@ TEST(Stops, AStepThatCannotBeMadeEndsWithItsProblem) {
   EXPECT_EQ(recorder.ends, 1);
 }
 
+TEST(Stops, AFixedStepIsNotHalvedForEver) {
+  const io::TemporaryFolder folder;
+  Recorder recorder;
+  const Ending ending =
+      run_case(periodic_case(folder, "random-dense", 50, {"method.tolerance=1e-17", "method.time_step=1"}),
+               {&recorder});
+  EXPECT_EQ(ending.code, 3);
+  EXPECT_EQ(recorder.totals.rejected_steps, 20);  // 2^-20 is the first below 1e-6
+}
+
 TEST(Stops, ASignalEndsTheRunAfterItsStepWithALastRow) {
   const io::TemporaryFolder folder;
   Recorder recorder;
