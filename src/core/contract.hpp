@@ -6,7 +6,8 @@
 
 namespace frit::detail {
 [[noreturn]] inline void broken_contract(const char* kind, const char* what, const char* file, int line) {
-  throw ContractError(std::string(kind) + " broken: " + what + " (" + file + ":" + std::to_string(line) + ")");
+  throw ContractError(std::string(kind) + " broken: " + what + " (" + file + ":" + std::to_string(line) +
+                      ")");
 }
 }  // namespace frit::detail
 

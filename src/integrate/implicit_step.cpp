@@ -18,6 +18,9 @@ constexpr double usual_reach = 0.1;
 constexpr double largest_reach = 1.7;
 // Below this mean approach (in mean radii) a step changes nothing that an accuracy could be asked of.
 constexpr double least_progress = 1e-8;
+// An event at the end of a step shorter than this (mean approach in mean radii) is in time well enough,
+// however many contacts it concerns.
+constexpr double noticed_progress = 0.01;
 constexpr double error_per_squared_difference = 2.0;
 
 // Rotation of a rotation vector that is the tangent form of the mid-step rule: |vector| = 2 tan(angle / 2),
@@ -213,8 +216,10 @@ StepReport ImplicitStep::attempt(const State& from, double duration, State& to) 
     // These count at the end of the step only: half a step late on average.
     const bool is_born_late = settings_.law.closing == contact::Closing::rigid;
     const int late = report.changes.broken + (is_born_late ? report.changes.born : 0);
-    if (late > 0)
-      report.error += 0.5 * late / static_cast<double>(std::max<std::size_t>(1, from.contacts.size()));
+    if (late > 0) {
+      const double share = late / static_cast<double>(std::max<std::size_t>(1, from.contacts.size()));
+      report.error += 0.5 * share * std::min(1.0, report.progress / noticed_progress);
+    }
     const bool accurate = !settings_.error_controls_step || report.error <= settings_.accuracy;
     report.verdict = accurate ? Verdict::accepted : Verdict::inaccurate;
     if (accurate) to = std::move(next);

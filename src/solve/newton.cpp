@@ -29,11 +29,12 @@ class NewtonSolve {
         solution_(solution),
         gradient_(problem),
         penalty_(reference_penalty(problem, 1.0)),
-        stiff_penalty_(reference_penalty(problem, options.penalty_factor)) {}
+        stiff_penalty_(reference_penalty(problem, options.penalty_factor)),
+        opens_freely_(std::any_of(problem.edges.begin(), problem.edges.end(),
+                                  [](const Edge& edge) { return edge.response.opens_freely; })) {}
 
   Report run() {
-    balance_momentum(problem_, find_clusters(problem_, solution_), solution_);
-    evaluate();
+    balance();
     while (!finished()) {
       if (multipliers_are_due()) {
         solution_.multiplier = gradient_.multiplier();
@@ -44,6 +45,7 @@ class NewtonSolve {
       ++report_.newton_iterations;
       compute_direction();
       search_line();
+      if (opens_freely_) balance();
     }
     solution_.multiplier = gradient_.multiplier();
     balance_momentum(problem_, find_clusters(problem_, solution_), solution_);
@@ -51,6 +53,12 @@ class NewtonSolve {
   }
 
  private:
+  // Rigid motions of free clusters; while necks open the clusters they part change from iterate to iterate.
+  void balance() {
+    balance_momentum(problem_, find_clusters(problem_, solution_), solution_);
+    evaluate();
+  }
+
   void evaluate() {
     gradient_.evaluate(solution_, stiff_penalty_, Multipliers::projected);
     residual_ = gradient_.residual(penalty_);
@@ -134,6 +142,7 @@ class NewtonSolve {
   Solution& solution_;
   Gradient gradient_;
   std::vector<double> penalty_, stiff_penalty_;
+  bool opens_freely_;
   Residual residual_;
   double best_force_ = std::numeric_limits<double>::infinity();
   Report report_;

@@ -14,9 +14,12 @@ inline double viscous_potential(const NormalResponse& r, double q) {
   return r.viscosity * r.cap * r.cap * (3.0 * q - 2.0 * r.cap);
 }
 
+// A unilateral contact that opens: it pulls with a constant force and resists nothing (theory.md, eq. 8).
+inline bool is_open(const NormalResponse& r, double approach) { return r.opens_freely && approach < 0.0; }
+
 // P(start + growth a) - P(start), factored so that small approaches lose no digits.
 inline double viscous_force(const NormalResponse& r, double approach) {
-  if (r.viscosity == 0.0 || (r.opens_freely && approach <= 0.0)) return 0.0;
+  if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
   const double q0 = r.start, q1 = q0 + r.growth * approach;
   if (q0 >= 0.0 && q0 <= r.cap && q1 >= 0.0 && q1 <= r.cap) {
     return r.viscosity * r.growth * approach * (q0 * q0 + q0 * q1 + q1 * q1);
@@ -26,7 +29,7 @@ inline double viscous_force(const NormalResponse& r, double approach) {
 
 // Derivative of viscous_force. Neck resistance at the end of the step.
 inline double viscous_tangent(const NormalResponse& r, double approach) {
-  if (r.viscosity == 0.0 || (r.opens_freely && approach < 0.0)) return 0.0;
+  if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
   const double q = std::clamp(r.start + r.growth * approach, 0.0, r.cap);
   return 3.0 * r.viscosity * r.growth * q * q;
 }

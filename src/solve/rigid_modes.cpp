@@ -11,12 +11,18 @@ namespace {
 
 using MutVec = Eigen::Map<Vec3>;
 
-// Necks always join; a gap only once it has closed.
-bool joins(const Problem& problem, std::size_t k, const Solution& solution) {
+double approach_of(const Problem& problem, std::size_t k, const Solution& solution) {
   const Edge& edge = problem.edges[k];
-  if (edge.response.pull > 0.0 || solution.multiplier[k] > 0.0) return true;
-  const double along = edge.normal.dot(relative_motion(problem, k, solution.motion));
-  return viscous_tangent(edge.response, edge.approach_scale * along) > 0.0;
+  return edge.approach_scale * edge.normal.dot(relative_motion(problem, k, solution.motion));
+}
+
+// Necks join unless they are opening; a gap joins only once it has closed.
+bool joins(const Problem& problem, std::size_t k, const Solution& solution) {
+  const NormalResponse& response = problem.edges[k].response;
+  if (solution.multiplier[k] > 0.0) return true;
+  const double approach = approach_of(problem, k, solution);
+  if (response.pull > 0.0) return !is_open(response, approach);
+  return viscous_tangent(response, approach) > 0.0;
 }
 
 // Breadth-first walk from one body over joining edges.
@@ -70,9 +76,28 @@ class Walk {
   std::vector<bool> seen_;
 };
 
+// Loads on every body with the constant pulls of opening necks, which are loads too for the clusters they
+// part.
+struct Loads {
+  std::vector<Vec3> force, torque;
+};
+
+Loads loads_on_clusters(const Problem& problem, const Solution& solution) {
+  Loads loads{problem.load, problem.torque};
+  for (std::size_t k = 0; k < problem.edges.size(); ++k) {
+    const Edge& edge = problem.edges[k];
+    if (!edge.response.opens_freely || !is_open(edge.response, approach_of(problem, k, solution))) continue;
+    const Vec3 pull = edge.approach_scale * edge.response.pull * edge.normal;
+    loads.force[static_cast<std::size_t>(edge.i)] += pull;
+    loads.force[static_cast<std::size_t>(edge.j)] -= pull;
+  }
+  return loads;
+}
+
 // Mass of a body in the balance; without any inertia (quasi-static) all bodies weigh the same.
 struct Inertia {
   const Problem& problem;
+  const Loads& loads;
   bool massless;
   double mass(std::int32_t body) const {
     return massless ? 1.0 : problem.mass[static_cast<std::size_t>(body)];
@@ -97,9 +122,8 @@ void balance_translation(const Inertia& inertia, const Cluster& cluster, std::ve
   double mass = 0.0;
   for (const std::int32_t body : cluster.bodies) {
     const double own = inertia.mass(body);
-    missing +=
-        (inertia.massless ? Vec3(Vec3::Zero()) : inertia.problem.load[static_cast<std::size_t>(body)]) -
-        own * MutVec(motion.data() + 6 * body);
+    missing += (inertia.massless ? Vec3(Vec3::Zero()) : inertia.loads.force[static_cast<std::size_t>(body)]) -
+               own * MutVec(motion.data() + 6 * body);
     mass += own;
   }
   for (const std::int32_t body : cluster.bodies) MutVec(motion.data() + 6 * body) += missing / mass;
@@ -112,7 +136,7 @@ void balance_rotation(const Inertia& inertia, const Cluster& cluster, std::vecto
     const std::int32_t body = cluster.bodies[n];
     const auto row = static_cast<std::size_t>(body);
     const Vec3& x = cluster.position[n];
-    if (!inertia.massless) missing += x.cross(inertia.problem.load[row]) + inertia.problem.torque[row];
+    if (!inertia.massless) missing += x.cross(inertia.loads.force[row]) + inertia.loads.torque[row];
     missing -= inertia.mass(body) * x.cross(MutVec(motion.data() + 6 * body)) +
                inertia.moment(body) * MutVec(motion.data() + 6 * body + 3);
     tensor += inertia.mass(body) * (x.squaredNorm() * Mat3::Identity() - x * x.transpose()) +
@@ -136,12 +160,13 @@ std::vector<Cluster> find_clusters(const Problem& problem, const Solution& solut
     double mass = 0.0;
     for (const std::int32_t member : clusters.back().bodies)
       mass += problem.mass[static_cast<std::size_t>(member)];
-    centre({problem, mass == 0.0}, clusters.back());
+    centre({problem, {}, mass == 0.0}, clusters.back());
   }
   return clusters;
 }
 
 void balance_momentum(const Problem& problem, const std::vector<Cluster>& clusters, Solution& solution) {
+  const Loads loads = loads_on_clusters(problem, solution);
   for (const Cluster& cluster : clusters) {
     if (cluster.held) continue;
     double mass = 0.0;
@@ -150,7 +175,7 @@ void balance_momentum(const Problem& problem, const std::vector<Cluster>& cluste
       mass += problem.mass[static_cast<std::size_t>(body)];
       turns = turns && (problem.held[static_cast<std::size_t>(body)] & holds_rotation) == 0;
     }
-    const Inertia inertia{problem, mass == 0.0};
+    const Inertia inertia{problem, loads, mass == 0.0};
     balance_translation(inertia, cluster, solution.motion);
     if (turns) balance_rotation(inertia, cluster, solution.motion);
   }

@@ -18,7 +18,7 @@ using Block = Eigen::Matrix<double, 6, 6>;
 // torn in the trial motion, gets the chord to that size: the tangent overshoots on a cubic and vanishes on a
 // torn neck.
 double viscous_stiffness(const NormalResponse& r, double approach, Stiffness kind) {
-  if (r.viscosity == 0.0) return 0.0;
+  if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
   const double start = std::clamp(r.start, 0.0, r.cap);
   const double q = r.start + r.growth * approach;
   const double free_q = std::min(r.cap, std::cbrt(start * start * start + r.pull / r.viscosity));
@@ -27,7 +27,7 @@ double viscous_stiffness(const NormalResponse& r, double approach, Stiffness kin
   if (is_torn || is_far) {
     return r.growth * (viscous_potential(r, free_q) - viscous_potential(r, q)) / (free_q - q);
   }
-  return viscous_tangent({r.viscosity, r.start, r.growth, r.cap}, approach);
+  return viscous_tangent(r, approach);
 }
 
 // Stiffness of the normal response, multiplier included, at the approach the gradient was evaluated at.

@@ -11,16 +11,16 @@
 namespace frit {
 
 struct Contacts {
-  std::vector<std::int32_t> i, j;            // particles (internal rows), i <= j
-  std::vector<Image> image;                  // which copy of j touches i
-  std::vector<double> neck_radius_squared;   // [m^2], state function of the overlap, not capped; at `overlap`
-  std::vector<double> overlap;               // [m], R_i + R_j - distance at which neck_radius_squared holds
-  std::vector<double> birth_neck_radius;     // [m]
-  std::vector<double> birth_time;            // [s]; 0 for the contacts of the packing
-  std::vector<double> equilibrium_force;     // [N], the multiplier l of the equilibrium, in [0, attraction]
-  std::vector<double> normal_force;          // [N], mean over the last step, > 0 repels
-  std::vector<double> approach_velocity;     // [m/s], mean over the last step, > 0 approaches
-  std::vector<Vec3> sliding_velocity;        // [m/s], mean over the last step
+  std::vector<std::int32_t> i, j;           // particles (internal rows), i <= j
+  std::vector<Image> image;                 // which copy of j touches i
+  std::vector<double> neck_radius_squared;  // [m^2], state function of the overlap, not capped; at `overlap`
+  std::vector<double> overlap;              // [m], R_i + R_j - distance at which neck_radius_squared holds
+  std::vector<double> birth_neck_radius;    // [m]
+  std::vector<double> birth_time;           // [s]; 0 for the contacts of the packing
+  std::vector<double> equilibrium_force;    // [N], the multiplier l of the equilibrium, in [0, attraction]
+  std::vector<double> normal_force;         // [N], mean over the last step, > 0 repels
+  std::vector<double> approach_velocity;    // [m/s], mean over the last step, > 0 approaches
+  std::vector<Vec3> sliding_velocity;       // [m/s], mean over the last step
 
   std::size_t size() const { return i.size(); }
   void resize(std::size_t count) {

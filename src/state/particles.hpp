@@ -10,15 +10,15 @@
 namespace frit {
 
 struct Particles {
-  std::vector<std::int64_t> id;      // stable, 0-based row of the input; one per particle, as all below
-  std::vector<Vec3> position;        // [m]
-  std::vector<double> radius;        // [m]
-  std::vector<double> mass;          // [kg], real density times volume
-  std::vector<Vec3> velocity;        // [m/s], mean over the last step
-  std::vector<Vec3> spin;            // [1/s], mean angular velocity over the last step
-  std::vector<Quat> orientation;     // since the start of the run
-  std::vector<Vec3> force;           // [N], external
-  std::vector<std::uint8_t> fixed;   // 1: neither moves nor spins
+  std::vector<std::int64_t> id;     // stable, 0-based row of the input; one per particle, as all below
+  std::vector<Vec3> position;       // [m]
+  std::vector<double> radius;       // [m]
+  std::vector<double> mass;         // [kg], real density times volume
+  std::vector<Vec3> velocity;       // [m/s], mean over the last step
+  std::vector<Vec3> spin;           // [1/s], mean angular velocity over the last step
+  std::vector<Quat> orientation;    // since the start of the run
+  std::vector<Vec3> force;          // [N], external
+  std::vector<std::uint8_t> fixed;  // 1: neither moves nor spins
 
   std::size_t size() const { return position.size(); }
 

@@ -53,7 +53,8 @@ TEST(RigidRotation, OfAnyAngleNeitherApproachesNorSlides) {
 
 TEST(Approach, IsTheChangeOfDistanceForAnyDisplacement) {
   for (const bool periodic : {false, true}) {
-    const State state = random_packing({.edge_count = 2, .spacing = 1.4, .smallest = 0.6, .periodic = periodic}, 3);
+    const State state =
+        random_packing({.edge_count = 2, .spacing = 1.4, .smallest = 0.6, .periodic = periodic}, 3);
     const StepInput input = input_of(state, step_of(1.0));
     Dice dice(4);
     solve::Solution motion = solve::Solution::at_rest(make_problem(input, nullptr));
