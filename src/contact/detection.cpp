@@ -89,6 +89,14 @@ bool is_broken(const SinteringLaw& law, const Contacts& contacts, std::size_t k,
   return contacts.neck_radius_squared[k] < half * half;
 }
 
+// Overlap beyond touching [m] from which a pair is in contact. Parted faces must be pressed together: where
+// they parted they touch at no force. A rigid gap is closed to the solver's tolerance only.
+double least_pressed(const SinteringLaw& law, const Prospect& prospect, const Pairing& pairing) {
+  const double round_off = touching_distance(pairing);
+  if (prospect.parted) return round_off;
+  return law.closing == Closing::rigid ? -1e4 * round_off : -round_off;
+}
+
 void merge_births(Contacts& contacts, std::vector<Birth>& births, double time) {
   if (births.empty()) return;
   Contacts merged;
@@ -199,7 +207,8 @@ std::vector<Prospect> find_prospects(const State& state, double reach) {
     if (k < state.contacts.size() && pair_at(state.contacts, k) == pair) continue;
     const bool cracked = n < state.cracks.size() && pair_at(state.cracks, n) == pair;
     const double touching = cracked ? std::max(0.0, state.cracks.overlap_when_parted[n]) : 0.0;
-    prospects.push_back({pair, touching - overlap_of(state, pair), touching});
+    const double gap = touching - overlap_of(state, pair);
+    if (gap <= reach) prospects.push_back({pair, gap, touching, cracked});
   }
   return prospects;
 }
@@ -211,7 +220,7 @@ ContactChanges update_contacts(State& state, const SinteringLaw& law, std::span<
     const Pairing pairing = pairing_of(state, prospect.pair);
     const double overlap = overlap_of(state, prospect.pair);
     const double pressed = overlap - prospect.touching;
-    if (pressed < -touching_distance(pairing)) continue;
+    if (pressed < least_pressed(law, prospect, pairing)) continue;
     births.push_back({prospect.pair, born_neck_squared(law, pairing, pressed), overlap});
   }
   renew_cracks(state, births, parted);

@@ -17,6 +17,7 @@ struct Prospect {
   neighbor::Pair pair;
   double gap;
   double touching;
+  bool parted;  // faces of a broken neck
 };
 
 // R_i + R_j - distance [m] of a pair.

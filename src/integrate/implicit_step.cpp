@@ -101,6 +101,21 @@ bool has_missed_contact(const State& to, double mean_radius) {
   });
 }
 
+// A neck whose spheres came closer than half their distance, or swapped sides: linear kinematics has no say
+// there.
+bool has_collapsed(const State& from, const State& to) {
+  const Contacts& contacts = from.contacts;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const auto i = static_cast<std::size_t>(contacts.i[k]), j = static_cast<std::size_t>(contacts.j[k]);
+    const Vec3 before =
+        from.cell.separation(from.particles.position[i], from.particles.position[j], contacts.image[k]);
+    const Vec3 after =
+        to.cell.separation(to.particles.position[i], to.particles.position[j], contacts.image[k]);
+    if (after.dot(before) < 0.5 * before.squaredNorm()) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string_view to_text(Verdict verdict) {
@@ -211,6 +226,7 @@ StepReport ImplicitStep::attempt(const State& from, double duration, State& to) 
     if (!solve_both(input, passes, report)) return report;
     State next = from;
     move(input, passes, next);
+    if (has_collapsed(from, next)) break;
     report.changes = contact::update_contacts(next, settings_.law, prospects);
     if (has_missed_contact(next, scale.length)) continue;
     // These count at the end of the step only: half a step late on average.
@@ -231,10 +247,14 @@ StepReport ImplicitStep::attempt(const State& from, double duration, State& to) 
 
 double ImplicitStep::first_duration(const State& state) const {
   std::vector<double> necks = state.contacts.neck_radius_squared;
-  if (necks.empty()) return 1e-6 * furnace_.duration_for(state.time, 1.0);
-  std::nth_element(necks.begin(), necks.begin() + static_cast<std::ptrdiff_t>(necks.size() / 2), necks.end());
   const network::Scale scale = network::scale_of(state.particles, settings_.law);
-  const double q0 = necks[necks.size() / 2], q1 = 1.1 * q0 + 1e-3 * scale.length * scale.length;
+  double q0 = 0.0;
+  if (!necks.empty()) {
+    const auto middle = necks.begin() + static_cast<std::ptrdiff_t>(necks.size() / 2);
+    std::nth_element(necks.begin(), middle, necks.end());
+    q0 = *middle;
+  }
+  const double q1 = 1.1 * q0 + 1e-3 * scale.length * scale.length;
   // Free pair: r^6 = r0^6 + 54 R^2 gamma theta.
   const double theta =
       (q1 * q1 * q1 - q0 * q0 * q0) / (54.0 * scale.length * scale.length * settings_.law.surface_energy);

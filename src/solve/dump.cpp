@@ -12,6 +12,34 @@ using nlohmann::json;
 constexpr int dump_version = 1;
 constexpr std::size_t numbers_per_edge = 18;
 
+void check(bool good, const char* what) {
+  if (!good) throw InputError(std::string("problem dump: ") + what);
+}
+
+// Walks over the bytes and stops at nesting that no dump has: the library's reader recurses.
+class NestingGuard : public nlohmann::json_sax<json> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t&) override { return true; }
+  bool string(string_t&) override { return true; }
+  bool binary(binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return ++depth_ <= deepest; }
+  bool key(string_t&) override { return true; }
+  bool end_object() override { return --depth_ >= 0; }
+  bool start_array(std::size_t) override { return ++depth_ <= deepest; }
+  bool end_array() override { return --depth_ >= 0; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  static constexpr int deepest = 4;
+  int depth_ = 0;
+};
+
 std::vector<double> flat(const std::vector<Vec3>& values) {
   std::vector<double> numbers;
   for (const Vec3& value : values) numbers.insert(numbers.end(), {value.x(), value.y(), value.z()});
@@ -19,6 +47,7 @@ std::vector<double> flat(const std::vector<Vec3>& values) {
 }
 
 std::vector<Vec3> vectors(const std::vector<double>& numbers) {
+  check(numbers.size() % 3 == 0, "a list of vectors is cut short");
   std::vector<Vec3> values(numbers.size() / 3);
   for (std::size_t n = 0; n < values.size(); ++n)
     values[n] = {numbers[3 * n], numbers[3 * n + 1], numbers[3 * n + 2]};
@@ -37,10 +66,12 @@ std::vector<double> edge_numbers(const Problem& problem) {
 }
 
 std::vector<Edge> edges_of(const std::vector<double>& v) {
+  check(v.size() % numbers_per_edge == 0, "the list of edges is cut short");
   std::vector<Edge> edges(v.size() / numbers_per_edge);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     const double* n = v.data() + k * numbers_per_edge;
     Edge& e = edges[k];
+    check(n[0] >= 0.0 && n[1] >= 0.0 && n[0] < 2147483648.0 && n[1] < 2147483648.0, "an edge joins no body");
     e.i = static_cast<std::int32_t>(n[0]);
     e.j = static_cast<std::int32_t>(n[1]);
     e.normal = {n[2], n[3], n[4]};
@@ -53,10 +84,6 @@ std::vector<Edge> edges_of(const std::vector<double>& v) {
     e.twisting = n[17];
   }
   return edges;
-}
-
-void check(bool good, const char* what) {
-  if (!good) throw InputError(std::string("problem dump: ") + what);
 }
 
 void check_sizes(const Dumped& dumped) {
@@ -102,6 +129,10 @@ std::vector<std::uint8_t> dump(const Problem& problem, const Solution& start) {
 Dumped load_dump(std::span<const std::uint8_t> bytes) {
   Dumped dumped;
   try {
+    NestingGuard guard;
+    const auto cbor = json::input_format_t::cbor;
+    check(json::sax_parse(bytes.begin(), bytes.end(), &guard, cbor),
+          "these bytes are not CBOR, or nested too deeply");
     const json in = json::from_cbor(bytes.begin(), bytes.end());
     check(in.at("format") == "frit problem" && in.at("version") == dump_version, "unknown format or version");
     Problem& p = dumped.problem;

@@ -132,7 +132,8 @@ std::vector<double> reference_penalty(const Problem& problem, double factor) {
     }
   }
   for (const double mass : problem.mass) heaviest = std::max(heaviest, mass);
-  const double floor = count > 0.0 ? 1e-2 * sum / count : heaviest;
+  // Without any neck the driving force must not move bodies through each other by more than a hundredth.
+  const double floor = count > 0.0 ? 1e-2 * sum / count : std::max(heaviest, 100.0 * problem.force_unit);
   std::vector<double> penalty(problem.edges.size(), 0.0);
   for (std::size_t k = 0; k < penalty.size(); ++k) {
     const Edge& edge = problem.edges[k];

@@ -116,7 +116,10 @@ class NewtonSolve {
     double high_slope = dot(gradient_.values(), direction_);
     if (high_slope <= 0.0) return;
     double slope = high_slope;
-    for (int trial = 0; trial < 30 && std::abs(slope) > 0.5 * std::abs(slope_at_start); ++trial) {
+    // A step a little uphill is usually the shortest way; when it is not, iterates may cycle, so none later
+    // on.
+    const double uphill = report_.newton_iterations < strict_from ? 0.5 * std::abs(slope_at_start) : 0.0;
+    for (int trial = 0; trial < 30 && (slope > uphill || slope < 0.5 * slope_at_start); ++trial) {
       report_.history.pop_back();
       const double chord = low - low_slope * (high - low) / (high_slope - low_slope);
       const double length = std::clamp(chord, low + 0.02 * (high - low), high - 0.02 * (high - low));
@@ -136,6 +139,7 @@ class NewtonSolve {
   }
 
   static constexpr double far_from_solution = 1e-2;
+  static constexpr int strict_from = 12;  // Newton iterations
 
   const Problem& problem_;
   const Options& options_;

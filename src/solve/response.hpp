@@ -24,6 +24,7 @@ inline double viscous_force(const NormalResponse& r, double approach) {
   if (q0 >= 0.0 && q0 <= r.cap && q1 >= 0.0 && q1 <= r.cap) {
     return r.viscosity * r.growth * approach * (q0 * q0 + q0 * q1 + q1 * q1);
   }
+  if (q0 >= r.cap && q1 >= r.cap) return 3.0 * r.viscosity * r.cap * r.cap * r.growth * approach;
   return viscous_potential(r, q1) - viscous_potential(r, q0);
 }
 
