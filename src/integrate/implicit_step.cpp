@@ -169,6 +169,12 @@ bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, S
   const double rough = std::max(settings_.tolerance, 0.03 * settings_.accuracy);
   if (!solve_pass(input, nullptr, rough, passes, report)) return false;
   const std::vector<double> first = approaches(input, passes.problem, passes.solution);
+  report.verdict = Verdict::moved_too_far;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const solve::Edge& edge = passes.problem.edges[k];
+    if (std::abs(first[k]) > 0.5 * (edge.arm_i + edge.arm_j)) return false;
+  }
+  report.verdict = Verdict::not_solved;
   const solve::Solution estimate = passes.solution;
   if (!solve_pass(input, &estimate, settings_.tolerance, passes, report)) return false;
   const std::vector<double> second = approaches(input, passes.problem, passes.solution);

@@ -116,9 +116,10 @@ class NewtonSolve {
     double high_slope = dot(gradient_.values(), direction_);
     if (high_slope <= 0.0) return;
     double slope = high_slope;
-    // A step a little uphill is usually the shortest way; when it is not, iterates may cycle, so none later
-    // on.
-    const double uphill = report_.newton_iterations < strict_from ? 0.5 * std::abs(slope_at_start) : 0.0;
+    // A step a little uphill is usually the shortest way; when it is not, iterates may cycle far from the
+    // solution.
+    const bool may_cycle = report_.newton_iterations >= strict_from && best_force_ > near_solution;
+    const double uphill = may_cycle ? 0.0 : 0.5 * std::abs(slope_at_start);
     for (int trial = 0; trial < 30 && (slope > uphill || slope < 0.5 * slope_at_start); ++trial) {
       report_.history.pop_back();
       const double chord = low - low_slope * (high - low) / (high_slope - low_slope);
@@ -139,6 +140,7 @@ class NewtonSolve {
   }
 
   static constexpr double far_from_solution = 1e-2;
+  static constexpr double near_solution = 1e-4;
   static constexpr int strict_from = 12;  // Newton iterations
 
   const Problem& problem_;
