@@ -16,6 +16,7 @@ using ConstVec = Eigen::Map<const Vec3>;
 // Prospects are looked for within this share of the mean radius; a step that needs more looks again.
 constexpr double usual_reach = 0.1;
 constexpr double largest_reach = 1.7;
+constexpr long most_sweeps = 50000;  // of the Gauss-Seidel solver
 // Below this mean approach (in mean radii) a step changes nothing that an accuracy could be asked of.
 constexpr double least_progress = 1e-8;
 // An event at the end of a step shorter than this (mean approach in mean radii) is in time well enough,
@@ -150,6 +151,7 @@ bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solu
   passes.solution = start;
   solve::Options options;
   options.tolerance = tolerance;
+  if (settings_.solver == Solver::gauss_seidel) options.largest_linear_iterations = most_sweeps;
   const solve::Report solved = settings_.solver == Solver::gauss_seidel
                                    ? solve::solve_gauss_seidel(passes.problem, options, passes.solution)
                                    : solve::solve_newton(passes.problem, options, passes.solution);

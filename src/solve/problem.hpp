@@ -93,7 +93,7 @@ struct Report {
 struct Options {
   double tolerance = 1e-6;  // on the residual (gradient.hpp)
   int largest_newton_iterations = 60;
-  long largest_linear_iterations = 20000;  // of one linear solve
+  long largest_linear_iterations = 3000;  // of one linear solve
   double penalty_factor = 30.0;            // stiffness of a multiplier over that of its surroundings
 };
 
