@@ -159,8 +159,9 @@ class Builder {
       look(prospect.pair.i, prospect.pair.j);
       look(prospect.pair.j, prospect.pair.i);
     }
+    problem_.carried.assign(problem_.bodies(), Vec3::Zero());
     for (std::size_t n = 0; n < problem_.bodies(); ++n) {
-      if (around[n] > 0) problem_.load[n] += problem_.mass[n] * sum[n] / around[n];
+      if (around[n] > 0) problem_.carried[n] = sum[n] / around[n];
     }
   }
 

@@ -92,6 +92,7 @@ void check_sizes(const Dumped& dumped) {
   check(p.moment.size() == bodies && p.load.size() == bodies && p.torque.size() == bodies &&
             p.held.size() == bodies,
         "arrays of bodies differ in length");
+  check(p.carried.empty() || p.carried.size() == bodies, "carried motions do not fit the bodies");
   check(!p.has_axes || p.branch.size() == p.edges.size(), "branch vectors do not fit the edges");
   check(dumped.start.motion.size() == p.unknowns(), "start motion does not fit the bodies");
   check(dumped.start.multiplier.size() == p.edges.size(), "start multipliers do not fit the edges");
@@ -113,6 +114,7 @@ std::vector<std::uint8_t> dump(const Problem& problem, const Solution& start) {
   out["moment"] = problem.moment;
   out["load"] = flat(problem.load);
   out["torque"] = flat(problem.torque);
+  out["carried"] = flat(problem.carried);
   out["held"] = problem.held;
   out["edges"] = edge_numbers(problem);
   out["opens_freely"] = opens_freely;
@@ -140,6 +142,7 @@ Dumped load_dump(std::span<const std::uint8_t> bytes) {
     p.moment = in.at("moment").get<std::vector<double>>();
     p.load = vectors(in.at("load"));
     p.torque = vectors(in.at("torque"));
+    p.carried = vectors(in.at("carried"));
     p.held = in.at("held").get<std::vector<std::uint8_t>>();
     p.edges = edges_of(in.at("edges"));
     const auto opens_freely = in.at("opens_freely").get<std::vector<std::uint8_t>>();

@@ -80,6 +80,7 @@ class Sweeps {
     load << problem_.load[body], problem_.torque[body];
     block = inertia.asDiagonal();
     gradient = inertia.cwiseProduct(own) - load;
+    gradient.head<3>() -= problem_.mass[body] * carried_motion(problem_, body);
     for (const Incident incident : incidence_.at(body)) {
       const std::size_t k = incident.edge();
       const Edge& edge = problem_.edges[k];

@@ -50,7 +50,7 @@ void Gradient::act_on_edge(std::size_t k, const Solution& at, double penalty, Mu
 
 void Gradient::gather_body(std::size_t body, const Solution& at) {
   const double* own = at.motion.data() + 6 * body;
-  Vec3 force = problem_.mass[body] * ConstVec(own) - problem_.load[body];
+  Vec3 force = problem_.mass[body] * (ConstVec(own) - carried_motion(problem_, body)) - problem_.load[body];
   Vec3 moment = problem_.moment[body] * ConstVec(own + 3) - problem_.torque[body];
   for (const Incident incident : incidence_.at(body)) {
     const std::size_t k = incident.edge();

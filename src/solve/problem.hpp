@@ -55,6 +55,9 @@ struct Problem {
   std::vector<double> moment;  // inertia against rotation
   std::vector<Vec3> load;      // force, including mass * motion that inertia alone would give
   std::vector<Vec3> torque;
+  // Motion that a body alone is carried along with by its surroundings (empty: no body is). It enters with
+  // the inertia, so it moves only what nothing else holds; it is no load on a cluster that the body touches.
+  std::vector<Vec3> carried;
   std::vector<std::uint8_t>
       held;  // holds_translation | holds_rotation: those unknowns keep their start value
   // one per edge
@@ -69,6 +72,10 @@ struct Problem {
   std::size_t bodies() const { return mass.size(); }
   std::size_t unknowns() const { return 6 * bodies() + 3; }
 };
+
+inline Vec3 carried_motion(const Problem& problem, std::size_t body) {
+  return problem.carried.empty() ? Vec3(Vec3::Zero()) : problem.carried[body];
+}
 
 // Motion (6 per body, then 3 axes) and the multiplier l of every edge.
 struct Solution {
@@ -94,7 +101,7 @@ struct Options {
   double tolerance = 1e-6;  // on the residual (gradient.hpp)
   int largest_newton_iterations = 60;
   long largest_linear_iterations = 3000;  // of one linear solve
-  double penalty_factor = 30.0;            // stiffness of a multiplier over that of its surroundings
+  double penalty_factor = 30.0;           // stiffness of a multiplier over that of its surroundings
 };
 
 }  // namespace frit::solve

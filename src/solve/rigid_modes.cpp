@@ -126,6 +126,9 @@ void balance_translation(const Inertia& inertia, const Cluster& cluster, std::ve
                own * MutVec(motion.data() + 6 * body);
     mass += own;
   }
+  if (cluster.bodies.size() == 1) {
+    missing += mass * carried_motion(inertia.problem, static_cast<std::size_t>(cluster.bodies.front()));
+  }
   for (const std::int32_t body : cluster.bodies) MutVec(motion.data() + 6 * body) += missing / mass;
 }
 

@@ -32,18 +32,35 @@ def without_drift(points):
     return [tuple(point[axis] - mean[axis] for axis in range(3)) for point in points]
 
 
+def grown_necks(result):
+    """Neck radius of every contact by its particles, for contacts there from the start."""
+    contacts = result.snapshot("contacts")
+    return {(i, j): r for i, j, r, age in zip(contacts["i"], contacts["j"], contacts["neck_radius [m]"], contacts["age [s]"])
+            if age >= 0.999 * result.final()["time [s]"]}
+
+
 def two_solvers(workshop):
-    """Newton with conjugate gradients and Gauss-Seidel give the same motion of 500 spheres."""
+    """Newton with conjugate gradients and Gauss-Seidel grow the same necks in 500 spheres.
+
+    Necks and not positions: where a rattler stops between closing gaps takes no force that a tolerance could see, and
+    the angular momentum of a free body turns with it. Without bending, grains on two or three necks also move along
+    mechanisms that hardly anything resists; for the free body that figure is told and not judged.
+    """
     claims = []
-    for kind, steps in (("periodic", 1), ("periodic", 2), ("free", 1)):
+    for kind, steps, bending in (("periodic", 1, False), ("periodic", 1, True), ("free", 1, True), ("free", 1, False)):
         # The accuracy makes the first solve of a step, whose geometry the second one uses, as exact as that.
-        case = with_keys(random_dense(500), cell={"kind": kind}, contact={"initial_neck_ratio": 0.3})
+        contact = {"initial_neck_ratio": 0.3, "neck_bending": bending}
+        case = with_keys(random_dense(500), cell={"kind": kind}, contact=contact)
         timing = dict(total=time_to(0.4, 0.3), steps=steps, tolerance=1e-9, accuracy=1e-7)
-        results = [workshop.run(with_keys(case, **fixed_steps(**timing, solver=solver)))
-                   for solver in ("conjugate-gradients", "gauss-seidel")]
-        first, second = (positions(result) for result in results)
-        claims.append(is_below(f"two solvers agree, 500 spheres, {kind}, steps: {steps}", RELATIVE_DIFFERENCE,
-                               rms_difference(first, second) / rms_difference(first, positions(results[0], 0)), 1e-6))
+        first, second = (grown_necks(workshop.run(with_keys(case, **fixed_steps(**timing, solver=solver))))
+                         for solver in ("conjugate-gradients", "gauss-seidel"))
+        difference = math.sqrt(statistics.fmean((second[pair] / first[pair] - 1) ** 2 for pair in first))
+        name = f"two solvers, 500 spheres, {kind}, neck bending {'on' if bending else 'off'}"
+        what = "rms relative difference of the necks"
+        if kind == "free" and not bending:
+            claims.append(is_reported(name, what, f"{difference:.1e}"))
+        else:
+            claims.append(is_below(name, what, difference, 1e-6))
     return claims
 
 
