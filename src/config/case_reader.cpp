@@ -1,6 +1,7 @@
 #include "config/case_reader.hpp"
 
 #include <fmt/core.h>
+#include <array>
 
 #include <fstream>
 #include <optional>
@@ -167,10 +168,13 @@ std::string read_text_file(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) throw complain("this is a folder");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw complain("the file cannot be opened (are you allowed to read it?)");
-  std::string text(largest_text + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 65536> piece;
+  while (text.size() <= largest_text && file) {
+    file.read(piece.data(), piece.size());
+    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) throw complain("the file cannot be read");
-  text.resize(static_cast<std::size_t>(file.gcount()));
   return text;
 }
 
