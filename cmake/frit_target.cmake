@@ -3,7 +3,7 @@ add_library(frit_flags INTERFACE)
 target_include_directories(frit_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 # The same bits at every optimisation level need uncontracted arithmetic; never -ffast-math.
 target_compile_options(frit_flags INTERFACE -Wall -Wextra -Wconversion -Wshadow -Wpedantic
-  -Wnon-virtual-dtor -Wno-sign-conversion -ffp-contract=off)
+  -Wnon-virtual-dtor -Wno-sign-conversion -Wno-psabi -ffp-contract=off)
 # x86-64-v3 and not native: g++ 12 warns wrongly inside its AVX-512 headers, the solver gains nothing from
 # it, and one instruction set gives the same bits on all machines that have it.
 set(frit_march "${FRIT_MARCH}")

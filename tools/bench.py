@@ -1,92 +1,165 @@
 #!/usr/bin/env python3
-"""Time and memory of free balls from their first density to 0.87 at accuracy 0.01 (docs/performance.md).
+"""Named benchmarks: time and memory of whole runs, memory bandwidth, a smooth code beside frit, a profile.
 
-Medians of several runs; details and the machine go to results/bench.json, a table to the terminal.
+What the names mean: docs/performance.md, or --list. Figures are merged into results/bench.json by name, so that benchmarks
+can be run one by one; tables go to the terminal, and with --write into docs/performance.md.
 """
 import argparse
-import json
+import os
 import pathlib
 import platform
-import statistics
+import subprocess
 import sys
 import tempfile
 
+from benchmarks import bandwidth, ledger, measure, peers, profiling, self_test, tables
+from benchmarks.cases import BenchCase, Start, measured_case, named_cases, select
+from benchmarks.starts import Starts
 from validation import program
 from validation.claims import write_between
-from validation.program import Workshop, base_case, random_dense, read_packing, with_keys
+from validation.program import RunFailed, Workshop
 
-FIGURES = ["wall [s]", "cpu [s]", "steps", "rejected", "newton", "cg", "memory [MB]"]
-LONGEST_RUN = 24 * 3600.0  # [s]
+DEFAULT_BUILD = program.ROOT / "build/release"
+PAGE = program.ROOT / "docs/performance.md"
+PROFILED_DENSITY = 0.65  # a few steps from the first one on
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--sizes", default="1000,10000,100000", help="numbers of particles, with commas; empty: none")
-    parser.add_argument("--runs", type=int, default=3, help="runs of each, for the median")
-    parser.add_argument("--threads", type=int, default=0, help="0: every processor")
-    parser.add_argument("--packing", type=pathlib.Path, metavar="FILE", help="also this CSV packing, as a free body")
-    parser.add_argument("--program", type=pathlib.Path, help="the program to measure (default: the release build)")
-    parser.add_argument("--write", action="store_true", help="put the table into docs/performance.md")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="shell patterns of names; none: every case up to 10,000 particles")
+    parser.add_argument("--list", action="store_true", help="show all names and end")
+    parser.add_argument("--runs", type=int, default=0, help="runs of each case, for the median (0: as many as the case wants)")
+    parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="of frit (default: every processor)")
+    parser.add_argument("--reference", action="store_true", help=f"also one run at accuracy {measure.REFERENCE_ACCURACY:g} of each case, "
+                                                                 "and the differences from it")
+    parser.add_argument("--packing", type=pathlib.Path, metavar="FILE", help="this CSV packing, as a free body")
+    parser.add_argument("--particles", type=int, default=1000, help="of peers and profile (1000)")
+    parser.add_argument("--build", type=pathlib.Path, default=DEFAULT_BUILD, help="build folder of the program to measure (build/release)")
+    parser.add_argument("--write", action="store_true", help="put all tables into docs/performance.md")
+    parser.add_argument("--self-test", action="store_true", help="test the arithmetic of the benchmarks themselves and end")
     return parser.parse_args()
 
 
-def figures_of(summary):
-    return {"wall [s]": summary["wall_s"]["total"], "cpu [s]": summary["cpu_s"]["total"], "steps": summary["steps"],
-            "rejected": summary["rejected_steps"], "newton": summary["newton_iterations"],
-            "cg": summary["solver_iterations"], "memory [MB]": summary["peak_memory_bytes"] / 1e6}
+class Session:
+    """What the benchmarks of one call share."""
+
+    def __init__(self, arguments, folder):
+        self.arguments, self.workshop = arguments, Workshop(folder)
+        self.starts = Starts(self.workshop, arguments.threads)
+        self.ledger = ledger.load()
+
+    def keep(self, entry):
+        """The entry, with what it was measured on."""
+        entry["system"], entry["sources"] = platform.platform(), ledger.commit()
+        return entry
+
+    def run_case(self, case):
+        """Measures a case into the ledger; False if a run failed."""
+        arguments = self.arguments
+        effort = measure.Effort(arguments.threads, arguments.runs, arguments.reference)
+        try:
+            entry = measure.measure(self.workshop, self.starts, case, effort)
+        except RunFailed as failure:
+            entry = {"what": case.told(), "failed": str(failure)}
+        self.ledger["cases"][case.name] = self.keep(entry)
+        print(f"{case.name}: " + (f"{entry['median']['wall [s]']:.1f} s" if "median" in entry else entry["failed"]), flush=True)
+        return "failed" not in entry
+
+    def run_bandwidth(self):
+        self.ledger["bandwidth"] = self.keep({"triad": bandwidth.measure(self.arguments.build.resolve())})
+
+    def run_peers(self):
+        if not peers.is_installed():
+            print(f"peers: skipped, the Debian package {peers.PACKAGE} is not installed (apt-get install {peers.PACKAGE})")
+            return
+        case = BenchCase("peers", Start.GENERATED, self.arguments.particles)
+        start = self.starts.of(case)
+        figures, rows, summary = measure.run_once(self.workshop, start.keys(case.case_keys()), 1)
+        entry = peers.compare(self.workshop, start, figures, rows)
+        entry |= {"accuracy": case.accuracy, "to density": case.to_density, "machine": summary["machine"]}
+        self.ledger["peers"] = self.keep(entry)
+
+    def run_profile(self):
+        if not profiling.is_installed():
+            print(f"profile: skipped, the Debian package {profiling.PACKAGE} is not installed (apt-get install {profiling.PACKAGE})")
+            return
+        case = BenchCase("profile", Start.GENERATED, self.arguments.particles, to_density=PROFILED_DENSITY)
+        keys = self.starts.of(case).keys(case.case_keys())
+        entry = profiling.profile(self.workshop.new_folder(), keys)
+        self.ledger["profile"] = self.keep({"what": case.told(), "particles": case.particles, **entry})
 
 
-def measure(workshop, spheres, arguments):
-    """Figures of every run on these spheres, and what the program says of the machine."""
-    case = with_keys(base_case(), contact={"sliding_resistance": 0.01}, stop={"relative_density": 0.87},
-                     method={"accuracy": 0.01}, output={"snapshots": False})
-    runs = []
-    for _ in range(arguments.runs):
-        summary = workshop.run(case, spheres, threads=arguments.threads, longest=LONGEST_RUN).summary()
-        runs.append(figures_of(summary))
-    return runs, {"version": summary["version"], "threads": summary["threads"], **summary["machine"]}
+STUDIES = {
+    "bandwidth": (Session.run_bandwidth, "memory bandwidth by the triad, and the roofline of the measured cases"),
+    "peers": (Session.run_peers, "time per step of LIGGGHTS on the same packing, and the steps it would need"),
+    "profile": (Session.run_profile, "functions by instructions, from callgrind"),
+}
+STUDY_TABLES = {"bandwidth": ["bandwidth", "roofline"], "peers": ["peers"], "profile": ["profile-exclusive", "profile-inclusive"]}
 
 
-def packings(arguments, workshop):
-    """(name, spheres) of every case, made one by one."""
-    for size in filter(None, arguments.sizes.split(",")):
-        yield f"{int(size):,} generated", workshop.pack(random_dense(int(size)))
+def list_names(cases):
+    for name, told in [(case.name, case.told()) for case in cases] + [(name, told) for name, (_, told) in STUDIES.items()]:
+        print(f"{name:24} {told}")
+
+
+def chosen(arguments, cases):
+    """(cases, names of studies) to run. ValueError for a name that does not exist."""
+    studies = [name for name in arguments.names if name in STUDIES]
+    patterns = [name for name in arguments.names if name not in STUDIES]
+    picked = select(cases, patterns)
     if arguments.packing:
-        spheres = read_packing(arguments.packing)
-        yield f"{len(spheres):,} from {arguments.packing.name}", spheres
+        picked.append(measured_case(arguments.packing))
+    elif not arguments.names:
+        picked = [case for case in cases if case.is_quick()]
+    return picked, studies
 
 
-def markdown(entries):
-    lines = ["| particles | " + " | ".join(FIGURES) + " |", "|---|" + "---:|" * len(FIGURES)]
-    for entry in entries:
-        cells = [f"{entry['median'][figure]:,.{1 if figure.endswith('[s]') else 0}f}" for figure in FIGURES]
-        lines.append(f"| {entry['name']} | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+def run(arguments, cases, studies):
+    """Runs them one by one, each saved at once; prints their tables. The exit code."""
+    good = True
+    with tempfile.TemporaryDirectory(prefix="frit-bench-") as folder:
+        session = Session(arguments, folder)
+        for case in cases:
+            good = session.run_case(case) and good
+            ledger.save(session.ledger)
+        for study in studies:
+            STUDIES[study][0](session)
+            ledger.save(session.ledger)
+    told = session.ledger
+    names = [case.name for case in cases]
+    if cases:
+        print("\n" + tables.case_table(told, names))
+    if arguments.reference and cases:
+        print("\ndifference [%] from the reference run\n\n" + tables.accuracy_table(told, names))
+    every = tables.all_tables(told, named_cases())
+    for marker in (marker for study in studies for marker in STUDY_TABLES[study]):
+        print(f"\n{marker}\n\n{every[marker]}")
+    if arguments.write:
+        for marker, text in every.items():
+            write_between(PAGE, f"bench-{marker}", text)
+    return 0 if good else 1
 
 
 def main():
     arguments = parse_arguments()
-    if arguments.program:
-        program.PROGRAM = arguments.program.resolve()
+    cases = named_cases()
+    if arguments.list:
+        list_names(cases)
+        return 0
+    if arguments.self_test:
+        return self_test.run()
+    program.PROGRAM = arguments.build.resolve() / "src/app/frit"
     if not program.PROGRAM.is_file():
         print(f"bench: {program.PROGRAM} is not there; run ./dev build first", file=sys.stderr)
         return 2
-    entries, machine = [], {"system": platform.platform()}
-    with tempfile.TemporaryDirectory(prefix="frit-bench-") as folder:
-        workshop = Workshop(folder)
-        for name, spheres in packings(arguments, workshop):
-            runs, told = measure(workshop, spheres, arguments)
-            machine.update(told)
-            median = {figure: statistics.median(run[figure] for run in runs) for figure in FIGURES}
-            entries.append({"name": name, "particles": len(spheres), "median": median, "runs": runs})
-            print(f"{name}: {median['wall [s]']:.1f} s", flush=True)
-    results = program.ROOT / "results"
-    results.mkdir(exist_ok=True)
-    (results / "bench.json").write_text(json.dumps({"machine": machine, "cases": entries}, indent=2) + "\n", encoding="utf-8")
-    print(f"\n{machine.get('cpu', '')}, {machine.get('threads', '?')} threads, median of {arguments.runs}\n\n{markdown(entries)}")
-    if arguments.write:
-        write_between(program.ROOT / "docs/performance.md", "bench", markdown(entries))
-    return 0
+    try:
+        return run(arguments, *chosen(arguments, cases))
+    except ValueError as wrong:
+        print(f"bench: {wrong}", file=sys.stderr)
+        return 2
+    except subprocess.CalledProcessError as failure:
+        print(f"bench: {failure}\n{failure.stderr or ''}", file=sys.stderr)
+        return 1
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 namespace frit {
 
@@ -55,6 +56,17 @@ void parallel_for(std::size_t count, Body&& body) {
   parallel_blocks(count, [&](std::size_t begin, std::size_t end) {
     for (std::size_t index = begin; index < end; ++index) body(index);
   });
+}
+
+// Runs two functions, perhaps at the same time; may be nested.
+template <class First, class Second>
+void run_both(First&& first, Second&& second) {
+  if (threads() == 1) {
+    first();
+    second();
+    return;
+  }
+  tbb::parallel_invoke(first, second);
 }
 
 // Sum over blocks of block_sum(begin, end) -> Value, added in block order.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/parallel.hpp"
+#include "core/stopwatch.hpp"
 #include "solve/gauss_seidel.hpp"
 #include "solve/gradient.hpp"
 #include "solve/newton.hpp"
@@ -22,6 +23,9 @@ constexpr double least_progress = 1e-8;
 // An event at the end of a step shorter than this (mean approach in mean radii) is in time well enough,
 // however many contacts it concerns.
 constexpr double noticed_progress = 0.01;
+// A body that starts every step from rest does not turn by this angle [rad] in one; a solution that does so
+// has run off along a mechanism.
+constexpr double largest_turn = 0.1;
 constexpr double error_per_squared_difference = 2.0;
 
 // Rotation of a rotation vector that is the tangent form of the mid-step rule: |vector| = 2 tan(angle / 2),
@@ -117,6 +121,26 @@ bool has_collapsed(const State& from, const State& to) {
   return false;
 }
 
+// Root mean square angle [rad] by which necks turned.
+double mean_turn(const State& from, const State& to) {
+  const Contacts& contacts = from.contacts;
+  if (contacts.size() == 0) return 0.0;
+  const double squares = ordered_sum(contacts.size(), 0.0, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t k = begin; k < end; ++k) {
+      const auto i = static_cast<std::size_t>(contacts.i[k]), j = static_cast<std::size_t>(contacts.j[k]);
+      const Vec3 before =
+          from.cell.separation(from.particles.position[i], from.particles.position[j], contacts.image[k]);
+      const Vec3 after =
+          to.cell.separation(to.particles.position[i], to.particles.position[j], contacts.image[k]);
+      const double angle = std::atan2(before.cross(after).norm(), before.dot(after));
+      sum += angle * angle;
+    }
+    return sum;
+  });
+  return std::sqrt(squares / static_cast<double>(contacts.size()));
+}
+
 }  // namespace
 
 std::string_view to_text(Verdict verdict) {
@@ -140,6 +164,8 @@ struct ImplicitStep::Passes {
 
 bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solution* estimate,
                               double tolerance, Passes& passes, StepReport& report) {
+  Stopwatch watch;
+  passes.problem = {};  // its memory, before the next one takes as much
   passes.problem = network::make_problem(input, estimate);
   solve::Solution start;
   if (estimate == nullptr) {
@@ -149,12 +175,18 @@ bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solu
     start = *estimate;
   }
   passes.solution = start;
+  report.times.problem += watch.lap();
   solve::Options options;
   options.tolerance = tolerance;
+  options.mechanisms_at_rest = settings_.inertia == network::Inertia::overdamped;
+  options.settles_mechanisms = options.mechanisms_at_rest && estimate == nullptr;
   if (settings_.solver == Solver::gauss_seidel) options.largest_linear_iterations = most_sweeps;
   const solve::Report solved = settings_.solver == Solver::gauss_seidel
                                    ? solve::solve_gauss_seidel(passes.problem, options, passes.solution)
                                    : solve::solve_newton(passes.problem, options, passes.solution);
+  report.times.linear += solved.linear_seconds;
+  report.times.newton += watch.lap() - solved.linear_seconds;
+  report.linear_solves.add(solved.linear_solves);
   ++report.solves;
   report.newton_iterations += solved.newton_iterations;
   report.linear_iterations += solved.linear_iterations;
@@ -203,18 +235,17 @@ void ImplicitStep::move(const network::StepInput& input, const Passes& passes, S
     to.cell_rate = gradient / dt;
     for (int axis = 0; axis < 3; ++axis) to.cell_strain[axis] += std::log1p(gradient[axis]);
   }
-  solve::Gradient forces(passes.problem);
-  const std::vector<double> no_penalty(passes.problem.edges.size(), 0.0);
-  forces.evaluate(passes.solution, no_penalty, solve::Multipliers::given);
-  for (std::size_t k = 0; k < to.contacts.size(); ++k) {
+  parallel_for(to.contacts.size(), [&](std::size_t k) {
     const solve::Edge& edge = passes.problem.edges[k];
-    const Vec3& relative = forces.relative_motion()[k];
-    to.contacts.normal_force[k] = forces.normal_force()[k] * input.scale.force;
-    to.contacts.equilibrium_force[k] = passes.solution.multiplier[k] * input.scale.force;
-    to.contacts.approach_velocity[k] = forces.approach()[k] * input.scale.length / dt;
+    const double multiplier = passes.solution.multiplier[k];
+    const solve::EdgeAction action =
+        solve::act(passes.problem, k, passes.solution.motion, {solve::Multipliers::given, multiplier, 0.0});
+    to.contacts.normal_force[k] = action.normal_force * input.scale.force;
+    to.contacts.equilibrium_force[k] = multiplier * input.scale.force;
+    to.contacts.approach_velocity[k] = action.approach * input.scale.length / dt;
     to.contacts.sliding_velocity[k] =
-        (relative - relative.dot(edge.normal) * edge.normal) * input.scale.length / dt;
-  }
+        (action.relative - action.relative.dot(edge.normal) * edge.normal) * input.scale.length / dt;
+  });
   to.time += dt;
   to.last_step = dt;
   to.theta += input.conditions.theta;
@@ -227,16 +258,23 @@ StepReport ImplicitStep::attempt(const State& from, double duration, State& to) 
   const network::Scale scale = network::scale_of(from.particles, settings_.law);
   const network::Conditions conditions = conditions_of(settings_, furnace_, from.time, duration);
   for (double reach = usual_reach; reach <= largest_reach; reach *= 2.0) {
+    Stopwatch watch;
     const std::vector<contact::Prospect> prospects = contact::find_prospects(from, reach * scale.length);
+    report.times.search += watch.lap();
     const network::StepInput input{from, settings_.law, prospects, conditions, scale};
     Passes passes;
     report.verdict = Verdict::not_solved;
     if (!solve_both(input, passes, report)) return report;
+    watch.lap();
     State next = from;
     move(input, passes, next);
     if (has_collapsed(from, next)) break;
+    const bool is_from_rest = settings_.inertia == network::Inertia::overdamped && !settings_.strain_rate;
+    if (is_from_rest && mean_turn(from, next) > largest_turn) break;
     report.changes = contact::update_contacts(next, settings_.law, prospects);
-    if (has_missed_contact(next, scale.length)) continue;
+    const bool is_short = has_missed_contact(next, scale.length);
+    report.times.search += watch.lap();
+    if (is_short) continue;
     // These count at the end of the step only: half a step late on average.
     const bool is_born_late = settings_.law.closing == contact::Closing::rigid;
     const int late = report.changes.broken + (is_born_late ? report.changes.born : 0);

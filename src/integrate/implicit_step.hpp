@@ -34,6 +34,21 @@ struct StepSettings {
 enum class Verdict { accepted, not_solved, inaccurate, moved_too_far };
 std::string_view to_text(Verdict verdict);
 
+// Wall time [s] of the parts of a step; no result depends on it.
+struct StepTimes {
+  double search = 0.0;   // of pairs that may touch
+  double problem = 0.0;  // building it
+  double linear = 0.0;   // linear solves
+  double newton = 0.0;   // the rest of the solver: residuals, line search, multipliers
+
+  void add(const StepTimes& other) {
+    search += other.search;
+    problem += other.problem;
+    linear += other.linear;
+    newton += other.newton;
+  }
+};
+
 // What a step did and what it cost.
 struct StepReport {
   Verdict verdict = Verdict::accepted;
@@ -43,6 +58,8 @@ struct StepReport {
   double residual = 0.0;  // of the last solve
   int solves = 0, newton_iterations = 0;
   long linear_iterations = 0;
+  solve::LinearCounts linear_solves;
+  StepTimes times;
   contact::ContactChanges changes;
 };
 

@@ -115,9 +115,11 @@ class Builder {
     problem_.load.assign(count, Vec3::Zero());
     problem_.torque.assign(count, Vec3::Zero());
     problem_.held.assign(count, 0);
+    problem_.position.resize(count);
     const double length = in_.scale.length, force = in_.scale.force, dt = in_.conditions.duration;
     for (std::size_t n = 0; n < count; ++n) {
       problem_.held[n] = held(p, n);
+      problem_.position[n] = p.position[n] / length;
       problem_.load[n] = p.force[n] / force;
       if (in_.conditions.inertia == Inertia::none) continue;
       const double gyration = p.radius[n] / length;

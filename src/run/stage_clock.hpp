@@ -1,10 +1,13 @@
-// Wall and processor time by stage of a run, for its summary; no result depends on it.
+// Wall and processor time and memory by stage of a run, for its summary; no result depends on it.
 #pragma once
 
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <ctime>
+
+#include "run/machine.hpp"
 
 namespace frit::run {
 
@@ -24,12 +27,15 @@ class StageClock {
     Times& spent = spent_[static_cast<std::size_t>(stage_)];
     spent.wall += time.wall - last_.wall;
     spent.cpu += time.cpu - last_.cpu;
+    peak_[static_cast<std::size_t>(stage_)] = peak_memory_bytes();
     last_ = time;
     stage_ = stage;
   }
 
   // Up to the last call of enter.
   Times spent(Stage stage) const { return spent_[static_cast<std::size_t>(stage)]; }
+  // Largest resident set [bytes] of the process so far when the stage was last left; 0 before.
+  std::int64_t peak_memory(Stage stage) const { return peak_[static_cast<std::size_t>(stage)]; }
   Times total() const {
     Times sum;
     for (const Times& stage : spent_) sum = {sum.wall + stage.wall, sum.cpu + stage.cpu};
@@ -48,6 +54,7 @@ class StageClock {
   Times last_;
   Stage stage_ = Stage::setup;
   std::array<Times, 4> spent_{};
+  std::array<std::int64_t, 4> peak_{};
 };
 
 }  // namespace frit::run

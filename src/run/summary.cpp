@@ -48,12 +48,24 @@ json summary_of(const Setup& setup, const EndView& end) {
   summary["fitting_attempts"] = totals.fitting_attempts;
   summary["newton_iterations"] = totals.newton_iterations;
   summary["solver_iterations"] = totals.solver_iterations;
+  summary["linear_solves"] = {{"block_jacobi", totals.linear_solves.block_jacobi},
+                              {"with_coarse_level", totals.linear_solves.with_coarse_level},
+                              {"factored", totals.linear_solves.factored},
+                              {"in_double", totals.linear_solves.in_double}};
+  summary["step_wall_s"] = {{"search", totals.times.search},
+                            {"problem", totals.times.problem},
+                            {"newton", totals.times.newton},
+                            {"linear", totals.times.linear}};
   summary["largest_residual"] = totals.largest_residual;
   summary["accuracy_asked"] = setup.whole.method.time_step ? json() : json(setup.whole.method.accuracy);
   summary["accuracy_estimated"] = totals.accuracy();
   summary["wall_s"] = times_of(end.clock, &StageClock::Times::wall);
   summary["cpu_s"] = times_of(end.clock, &StageClock::Times::cpu);
   summary["peak_memory_bytes"] = peak_memory_bytes();
+  summary["peak_memory_by_stage_bytes"] = {{"setup", end.clock.peak_memory(Stage::setup)},
+                                           {"step", end.clock.peak_memory(Stage::step)},
+                                           {"observe", end.clock.peak_memory(Stage::observe)},
+                                           {"output", end.clock.peak_memory(Stage::output)}};
   summary["particles"] = setup.state.particles.size();
   summary["seed"] = setup.whole.packing.seed;
   summary["threads"] = threads();

@@ -14,6 +14,8 @@ struct Totals {
   std::int64_t fitting_attempts = 0;   // extra attempts to end a step at the stop's density
   std::int64_t newton_iterations = 0;  // of all attempts, as the next
   std::int64_t solver_iterations = 0;
+  solve::LinearCounts linear_solves;
+  integrate::StepTimes times;
   double last_duration = 0.0;     // [s], of the last accepted step
   double largest_residual = 0.0;  // of the accepted steps
   double weighted_error = 0.0;    // sum of error * progress over the accepted steps
@@ -22,6 +24,8 @@ struct Totals {
   void count_attempt(const integrate::StepReport& report) {
     newton_iterations += report.newton_iterations;
     solver_iterations += report.linear_iterations;
+    linear_solves.add(report.linear_solves);
+    times.add(report.times);
   }
   void count_step(const integrate::StepReport& report) {
     ++steps;

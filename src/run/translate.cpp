@@ -42,7 +42,7 @@ integrate::StepSettings step_settings_of(const config::Case& whole) {
   settings.spins_blocked = whole.contact.spins == config::Spins::blocked;
   settings.accuracy = method.accuracy;
   settings.error_controls_step = !method.time_step.has_value();
-  settings.tolerance = method.tolerance.value_or(std::min(1e-5, 1e-3 * method.accuracy));
+  settings.tolerance = method.tolerance.value_or(std::min(5e-5, 5e-3 * method.accuracy));
   settings.stress = whole.cell.stress.value_or(Vec3::Zero());
   settings.strain_rate = whole.cell.strain_rate;
   return settings;

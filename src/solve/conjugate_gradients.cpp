@@ -1,6 +1,8 @@
 #include "solve/conjugate_gradients.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/parallel.hpp"
 
@@ -9,80 +11,142 @@ namespace {
 
 using Pair = Eigen::Vector2d;
 
-// One pass over all unknowns: x += step p, r -= step q, z = P r; returns (r r, r z).
-struct Update {
-  const BlockJacobi& preconditioner;
-  std::size_t bodies;
-  double step;
-  const double* p;
-  const double* q;
-  double* x;
-  double* r;
-  double* z;
+// Iterations without halving the residual after which a solve has stalled.
+template <class Real>
+constexpr long patience = std::is_same_v<Real, float> ? 100 : 1000;
 
-  Pair of_range(std::size_t first, std::size_t count) const {
-    Pair sums = Pair::Zero();
-    for (std::size_t n = first; n < first + count; ++n) {
-      x[n] += step * p[n];
-      r[n] -= step * q[n];
-    }
-    if (first < 6 * bodies) {
-      preconditioner.apply_body(first / 6, r + first, z + first);
-    } else {
-      preconditioner.apply_axes(r + first, z + first);
-    }
-    for (std::size_t n = first; n < first + count; ++n) sums += Pair(r[n] * r[n], r[n] * z[n]);
-    return sums;
+// A residual larger than asked by this factor is round-off and no accident.
+constexpr double trusted = 10.0;
+
+template <class Real>
+class Iteration {
+ public:
+  Iteration(TangentOperator<Real>& matrix, const Preconditioner<Real>& preconditioner,
+            std::span<const double> right_side)
+      : matrix_(matrix),
+        preconditioner_(preconditioner),
+        bodies_(matrix.problem().bodies()),
+        x_(bodies_ + 1),
+        r_(bodies_ + 1),
+        z_(bodies_ + 1),
+        p_(bodies_ + 1),
+        q_(bodies_ + 1) {
+    scale_ = std::sqrt(ordered_sum(right_side.size(), 0.0, [&](std::size_t begin, std::size_t end) {
+      double sum = 0.0;
+      for (std::size_t n = begin; n < end; ++n) sum += right_side[n] * right_side[n];
+      return sum;
+    }));
+    if (scale_ == 0.0) return;
+    parallel_for(bodies_ + 1, [&](std::size_t n) { r_[n] = motion_at<Real>(right_side, n, 1.0 / scale_); });
+    norms_ = update(0.0);
   }
 
-  Pair run() const {
-    const Pair sums = ordered_sum(bodies, Pair(Pair::Zero()), [&](std::size_t begin, std::size_t end) {
-      Pair block = Pair::Zero();
-      for (std::size_t body = begin; body < end; ++body) block += of_range(6 * body, 6);
-      return block;
+  LinearReport run(std::span<const double> right_side, const LinearOptions& options) {
+    if (scale_ == 0.0) return {0, 0.0};
+    LinearReport report;
+    const double start = norms_[0], target = start * options.relative_tolerance * options.relative_tolerance;
+    double slope = 0.0, best = start;
+    long best_at = 0;
+    while (norms_[0] > target && norms_[1] > 0.0 && report.iterations < options.largest_iterations) {
+      if (norms_[0] < 0.25 * best) {
+        best = norms_[0];
+        best_at = report.iterations;
+      }
+      if (report.iterations - best_at > patience<Real>) break;
+      const Real beta = slope > 0.0 ? static_cast<Real>(norms_[1] / slope) : Real(0);
+      slope = norms_[1];
+      parallel_for(bodies_ + 1, [&](std::size_t n) {
+        p_[n] = {z_[n].u + beta * p_[n].u, z_[n].w + beta * p_[n].w};
+      });
+      const double curvature = matrix_.apply(std::span<const Motion<Real>>(p_), std::span<Motion<Real>>(q_));
+      if (!(curvature > 0.0)) break;
+      norms_ = update(slope / curvature);
+      ++report.iterations;
+    }
+    report.relative_residual = std::sqrt(norms_[0] / start);
+    report.stalled = norms_[0] > target;
+    if (std::is_same_v<Real, float> && !report.stalled) check_residual(right_side, options, report);
+    return report;
+  }
+
+  void put_result(std::vector<double>& x) const {
+    parallel_for(bodies_ + 1, [&](std::size_t n) { put_motion(x_[n], n, scale_, x); });
+  }
+
+ private:
+  // The residual that iterations carry along falls further than the true one where stiffnesses differ by more
+  // than single precision holds.
+  void check_residual(std::span<const double> right_side, const LinearOptions& options,
+                      LinearReport& report) {
+    matrix_.apply(std::span<const Motion<Real>>(x_), std::span<Motion<Real>>(q_));
+    const double squares = ordered_sum(bodies_ + 1, 0.0, [&](std::size_t begin, std::size_t end) {
+      Lanes<double> rr{};
+      for (std::size_t n = begin; n < end; ++n) {
+        const Motion<Real> given = motion_at<Real>(right_side, n, 1.0 / scale_);
+        const Motion<Real> left{given.u - q_[n].u, given.w - q_[n].w};
+        rr += products(left, left);
+      }
+      return sum(rr);
     });
-    return sums + of_range(6 * bodies, 3);
+    report.relative_residual = std::max(report.relative_residual, std::sqrt(squares));
+    report.stalled = report.relative_residual > trusted * options.relative_tolerance;
   }
-};
 
-double dot(std::span<const double> a, std::span<const double> b) {
-  return ordered_sum(a.size(), 0.0, [&](std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t n = begin; n < end; ++n) sum += a[n] * b[n];
-    return sum;
-  });
-}
+  // One pass over all unknowns: x += step p, r -= step q, z = P r; returns (r r, r z).
+  Pair update(double step) {
+    const auto length = static_cast<Real>(step);
+    const Pair sums = ordered_sum(bodies_, Pair(Pair::Zero()), [&](std::size_t begin, std::size_t end) {
+      Lanes<double> rr{}, rz{};
+      for (std::size_t n = begin; n < end; ++n) {
+        advance(n, length);
+        z_[n] = preconditioner_.local != nullptr ? preconditioner_.local->apply(n, r_[n]) : Motion<Real>{};
+        rr += products(r_[n], r_[n]);
+        rz += products(r_[n], z_[n]);
+      }
+      return Pair(sum(rr), sum(rz));
+    });
+    advance(bodies_, length);
+    z_[bodies_] =
+        preconditioner_.local != nullptr ? preconditioner_.local->apply_axes(r_[bodies_]) : Motion<Real>{};
+    Pair total =
+        sums + Pair(sum(products(r_[bodies_], r_[bodies_])), sum(products(r_[bodies_], z_[bodies_])));
+    if (preconditioner_.global != nullptr) total[1] += preconditioner_.global->add(r_, z_);
+    return total;
+  }
+
+  void advance(std::size_t n, Real length) {
+    x_[n].u += length * p_[n].u;
+    x_[n].w += length * p_[n].w;
+    r_[n].u -= length * q_[n].u;
+    r_[n].w -= length * q_[n].w;
+  }
+
+  TangentOperator<Real>& matrix_;
+  const Preconditioner<Real> preconditioner_;
+  std::size_t bodies_;
+  double scale_ = 0.0;  // norm of the right side: single precision sees numbers of order one
+  Motions<Real> x_, r_, z_, p_, q_;
+  Pair norms_ = Pair::Zero();
+};
 
 }  // namespace
 
-LinearReport conjugate_gradients(TangentOperator& matrix, const BlockJacobi& preconditioner,
+template <class Real>
+LinearReport conjugate_gradients(TangentOperator<Real>& matrix, const Preconditioner<Real>& preconditioner,
                                  std::span<const double> right_side, std::vector<double>& x,
                                  const LinearOptions& options) {
-  const std::size_t unknowns = right_side.size();
-  std::vector<double> r(right_side.begin(), right_side.end()), z(unknowns), q(unknowns, 0.0);
-  x.assign(unknowns, 0.0);
-  std::vector<double> p(unknowns, 0.0);
-  Update update{preconditioner, matrix.problem().bodies(), 0.0, p.data(), q.data(), x.data(), r.data(),
-                z.data()};
-  Pair norms = update.run();
-  const double start = norms[0];
-  LinearReport report;
-  if (start == 0.0) return {0, 0.0};
-  double slope = 0.0;
-  const double target = start * options.relative_tolerance * options.relative_tolerance;
-  while (norms[0] > target && norms[1] > 0.0 && report.iterations < options.largest_iterations) {
-    const double beta = slope > 0.0 ? norms[1] / slope : 0.0;
-    slope = norms[1];
-    parallel_for(unknowns, [&](std::size_t n) { p[n] = z[n] + beta * p[n]; });
-    matrix.apply(p, q);
-    const double curvature = dot(p, q);
-    if (!(curvature > 0.0)) break;
-    update.step = slope / curvature;
-    norms = update.run();
-    ++report.iterations;
-  }
-  report.relative_residual = std::sqrt(norms[0] / start);
+  x.assign(right_side.size(), 0.0);
+  Iteration<Real> iteration(matrix, preconditioner, right_side);
+  const LinearReport report = iteration.run(right_side, options);
+  iteration.put_result(x);
   return report;
 }
+
+template LinearReport conjugate_gradients(TangentOperator<float>&, const Preconditioner<float>&,
+                                          std::span<const double>, std::vector<double>&,
+                                          const LinearOptions&);
+template LinearReport conjugate_gradients(TangentOperator<double>&, const Preconditioner<double>&,
+                                          std::span<const double>, std::vector<double>&,
+                                          const LinearOptions&);
 
 }  // namespace frit::solve

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int dump_version = 1;
+constexpr int dump_version = 2;
 constexpr std::size_t numbers_per_edge = 18;
 
 void check(bool good, const char* what) {
@@ -93,6 +93,7 @@ void check_sizes(const Dumped& dumped) {
             p.held.size() == bodies,
         "arrays of bodies differ in length");
   check(p.carried.empty() || p.carried.size() == bodies, "carried motions do not fit the bodies");
+  check(p.position.empty() || p.position.size() == bodies, "positions do not fit the bodies");
   check(!p.has_axes || p.branch.size() == p.edges.size(), "branch vectors do not fit the edges");
   check(dumped.start.motion.size() == p.unknowns(), "start motion does not fit the bodies");
   check(dumped.start.multiplier.size() == p.edges.size(), "start multipliers do not fit the edges");
@@ -115,6 +116,7 @@ std::vector<std::uint8_t> dump(const Problem& problem, const Solution& start) {
   out["load"] = flat(problem.load);
   out["torque"] = flat(problem.torque);
   out["carried"] = flat(problem.carried);
+  out["position"] = flat(problem.position);
   out["held"] = problem.held;
   out["edges"] = edge_numbers(problem);
   out["opens_freely"] = opens_freely;
@@ -143,6 +145,7 @@ Dumped load_dump(std::span<const std::uint8_t> bytes) {
     p.load = vectors(in.at("load"));
     p.torque = vectors(in.at("torque"));
     p.carried = vectors(in.at("carried"));
+    p.position = vectors(in.at("position"));
     p.held = in.at("held").get<std::vector<std::uint8_t>>();
     p.edges = edges_of(in.at("edges"));
     const auto opens_freely = in.at("opens_freely").get<std::vector<std::uint8_t>>();

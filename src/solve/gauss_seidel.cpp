@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solve/gradient.hpp"
+#include "solve/incidence.hpp"
 #include "solve/response.hpp"
 #include "solve/rigid_modes.hpp"
 
@@ -26,7 +27,7 @@ class Sweeps {
       : problem_(problem),
         options_(options),
         solution_(solution),
-        incidence_(problem.bodies(), edge_ends(problem)),
+        incidence_(incidence_of(problem)),
         penalty_(reference_penalty(problem, 3.0)),
         unit_penalty_(reference_penalty(problem, 1.0)) {}
 

@@ -1,5 +1,7 @@
 #include "solve/gradient.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/parallel.hpp"
@@ -9,72 +11,77 @@ namespace frit::solve {
 namespace {
 
 using ConstVec = Eigen::Map<const Vec3>;
+using MutVec = Eigen::Map<Vec3>;
 
-// Secant stiffness of an edge: its pull over the approach that the pull alone would cause in the step.
+}  // namespace
+
 double secant_stiffness(const NormalResponse& r) {
   if (r.viscosity == 0.0 || r.pull <= 0.0) return 0.0;
-  const double free_q = std::cbrt(r.start * r.start * r.start + r.pull / r.viscosity);
-  const double free_approach = (free_q - r.start) / r.growth;
+  const double cubes = r.pull / r.viscosity;  // free_q^3 - start^3
+  const double free_q = std::cbrt(r.start * r.start * r.start + cubes);
+  // The difference of the roots by that of the cubes: in a tiny step it is below the roots' round-off.
+  const double sum_of_squares = free_q * free_q + free_q * r.start + r.start * r.start;
+  const double free_approach = cubes / sum_of_squares / r.growth;
   const double shortest = 1e-2 * std::sqrt(r.cap);
   return r.pull / std::min(free_approach, shortest);
 }
 
-}  // namespace
-
-std::vector<std::array<std::int32_t, 2>> edge_ends(const Problem& problem) {
-  std::vector<std::array<std::int32_t, 2>> ends(problem.edges.size());
-  for (std::size_t k = 0; k < ends.size(); ++k) ends[k] = {problem.edges[k].i, problem.edges[k].j};
-  return ends;
-}
-
 Gradient::Gradient(const Problem& problem)
     : problem_(problem),
-      incidence_(problem.bodies(), edge_ends(problem)),
+      blocks_(problem.bodies(), problem.edges.size(),
+              [&](std::size_t k) {
+                return std::array{problem.edges[k].i, problem.edges[k].j};
+              }),
       values_(problem.unknowns()),
       approach_(problem.edges.size()),
-      normal_force_(problem.edges.size()),
       multiplier_(problem.edges.size()),
-      relative_(problem.edges.size()),
-      force_(problem.edges.size()),
-      moment_(problem.edges.size(), Vec3::Zero()) {}
+      axes_force_(blocks_.count()) {}
 
-void Gradient::act_on_edge(std::size_t k, const Solution& at, double penalty, Multipliers kind) {
-  const EdgeAction action = act(problem_, k, at.motion, {kind, at.multiplier[k], penalty});
-  approach_[k] = action.approach;
-  multiplier_[k] = action.multiplier;
-  normal_force_[k] = action.normal_force;
-  relative_[k] = action.relative;
-  force_[k] = action.force;
-  moment_[k] = action.moment;
-}
-
-void Gradient::gather_body(std::size_t body, const Solution& at) {
+void Gradient::start_body(std::size_t body, const Solution& at) {
   const double* own = at.motion.data() + 6 * body;
-  Vec3 force = problem_.mass[body] * (ConstVec(own) - carried_motion(problem_, body)) - problem_.load[body];
-  Vec3 moment = problem_.moment[body] * ConstVec(own + 3) - problem_.torque[body];
-  for (const Incident incident : incidence_.at(body)) {
-    const std::size_t k = incident.edge();
-    const Edge& edge = problem_.edges[k];
-    const double sign = incident.is_second() ? -1.0 : 1.0;
-    force += sign * force_[k];
-    moment += (incident.is_second() ? edge.arm_j : edge.arm_i) * edge.normal.cross(force_[k]);
-    moment += sign * moment_[k];
-  }
-  if ((problem_.held[body] & holds_translation) != 0) force.setZero();
-  if ((problem_.held[body] & holds_rotation) != 0) moment.setZero();
-  Eigen::Map<Vec3>(values_.data() + 6 * body) = force;
-  Eigen::Map<Vec3>(values_.data() + 6 * body + 3) = moment;
+  MutVec(values_.data() + 6 * body) =
+      problem_.mass[body] * (ConstVec(own) - carried_motion(problem_, body)) - problem_.load[body];
+  MutVec(values_.data() + 6 * body + 3) = problem_.moment[body] * ConstVec(own + 3) - problem_.torque[body];
 }
 
-void Gradient::gather_axes() {
+void Gradient::evaluate_block(std::size_t block, const Solution& at, std::span<const double> penalty,
+                              Multipliers kind) {
+  const std::size_t begin = block * block_size, end = std::min(problem_.bodies(), begin + block_size);
+  for (std::size_t body = begin; body < end; ++body) start_body(body, at);
+  Vec3 axes_force = Vec3::Zero();
+  for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+    for (const std::uint32_t k : blocks_.edges(block, ends)) {
+      const Edge& edge = problem_.edges[k];
+      const EdgeAction action = act(problem_, k, at.motion, {kind, at.multiplier[k], penalty[k]});
+      const Vec3 lever_moment = edge.normal.cross(action.force);
+      if (ends != Ends::second) {
+        approach_[k] = action.approach;
+        multiplier_[k] = action.multiplier;
+        double* of_i = values_.data() + 6 * static_cast<std::size_t>(edge.i);
+        MutVec{of_i} += action.force;
+        MutVec(of_i + 3) += edge.arm_i * lever_moment + action.moment;
+        if (problem_.has_axes) axes_force += action.force.cwiseProduct(problem_.branch[k]);
+      }
+      if (ends != Ends::first) {
+        double* of_j = values_.data() + 6 * static_cast<std::size_t>(edge.j);
+        MutVec{of_j} -= action.force;
+        MutVec(of_j + 3) += edge.arm_j * lever_moment - action.moment;
+      }
+    }
+  }
+  for (std::size_t body = begin; body < end; ++body) {
+    const std::uint8_t held = problem_.held[body];
+    if ((held & holds_translation) != 0) MutVec(values_.data() + 6 * body).setZero();
+    if ((held & holds_rotation) != 0) MutVec(values_.data() + 6 * body + 3).setZero();
+  }
+  axes_force_[block] = axes_force;
+}
+
+void Gradient::sum_axes() {
   Vec3 total = Vec3::Zero();
   if (problem_.has_axes) {
-    const auto virial = [&](std::size_t begin, std::size_t end) {
-      Vec3 sum = Vec3::Zero();
-      for (std::size_t k = begin; k < end; ++k) sum += force_[k].cwiseProduct(problem_.branch[k]);
-      return sum;
-    };
-    total = -problem_.axis_load - ordered_sum(problem_.edges.size(), Vec3(Vec3::Zero()), virial);
+    total = -problem_.axis_load;
+    for (const Vec3& force : axes_force_) total -= force;
   }
   for (int axis = 0; axis < 3; ++axis) {
     values_[6 * problem_.bodies() + axis] = problem_.axis_held[axis] ? 0.0 : total[axis];
@@ -82,9 +89,10 @@ void Gradient::gather_axes() {
 }
 
 void Gradient::evaluate(const Solution& at, std::span<const double> penalty, Multipliers kind) {
-  parallel_for(problem_.edges.size(), [&](std::size_t k) { act_on_edge(k, at, penalty[k], kind); });
-  parallel_for(problem_.bodies(), [&](std::size_t body) { gather_body(body, at); });
-  gather_axes();
+  parallel_blocks(problem_.bodies(), [&](std::size_t begin, std::size_t) {
+    evaluate_block(begin / block_size, at, penalty, kind);
+  });
+  sum_axes();
 }
 
 Residual Gradient::residual(std::span<const double> penalty) const {

@@ -18,4 +18,10 @@ Incidence::Incidence(std::size_t bodies, std::span<const std::array<std::int32_t
   }
 }
 
+Incidence incidence_of(const Problem& problem) {
+  std::vector<std::array<std::int32_t, 2>> ends(problem.edges.size());
+  for (std::size_t k = 0; k < ends.size(); ++k) ends[k] = {problem.edges[k].i, problem.edges[k].j};
+  return {problem.bodies(), ends};
+}
+
 }  // namespace frit::solve

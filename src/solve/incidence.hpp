@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "solve/problem.hpp"
+
 namespace frit::solve {
 
 enum class Side : std::uint32_t { first = 0, second = 1 };
@@ -31,5 +33,7 @@ class Incidence {
   std::vector<std::uint32_t> first_;
   std::vector<Incident> entries_;
 };
+
+Incidence incidence_of(const Problem& problem);
 
 }  // namespace frit::solve

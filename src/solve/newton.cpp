@@ -1,14 +1,16 @@
 #include "solve/newton.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "core/parallel.hpp"
-#include "solve/conjugate_gradients.hpp"
+#include "core/stopwatch.hpp"
 #include "solve/gradient.hpp"
+#include "solve/linear_solver.hpp"
 #include "solve/rigid_modes.hpp"
-#include "solve/tangent.hpp"
 
 namespace frit::solve {
 namespace {
@@ -30,6 +32,7 @@ class NewtonSolve {
         gradient_(problem),
         penalty_(reference_penalty(problem, 1.0)),
         stiff_penalty_(reference_penalty(problem, options.penalty_factor)),
+        linear_(problem),
         opens_freely_(std::any_of(problem.edges.begin(), problem.edges.end(),
                                   [](const Edge& edge) { return edge.response.opens_freely; })) {}
 
@@ -66,9 +69,13 @@ class NewtonSolve {
     report_.history.push_back(residual_.worst());
   }
 
+  bool has_small_correction() const {
+    return !options_.largest_correction || correction_ <= *options_.largest_correction;
+  }
+
   bool finished() {
     if (!std::isfinite(report_.residual)) return true;
-    report_.converged = residual_.worst() <= options_.tolerance;
+    report_.converged = residual_.worst() <= options_.tolerance && has_small_correction();
     return report_.converged || report_.newton_iterations >= options_.largest_newton_iterations ||
            report_.multiplier_updates >= 3 * options_.largest_newton_iterations;
   }
@@ -88,16 +95,42 @@ class NewtonSolve {
     return std::min(0.5, std::max(step, 0.3 * options_.tolerance) / residual_.force);
   }
 
+  // The first solve is for the whole motion and not for what the start lacks: what the start has of
+  // mechanisms, which no force sees, does not survive it (docs/decisions/0011).
   void compute_direction() {
     const Stiffness stiffness = residual_.force > far_from_solution ? Stiffness::guarded : Stiffness::tangent;
-    TangentOperator matrix(problem_, gradient_, stiff_penalty_, stiffness);
-    const BlockJacobi preconditioner(matrix);
-    right_side_.resize(problem_.unknowns());
+    const Linearisation place{gradient_, stiff_penalty_, stiffness, damping_};
     const std::vector<double>& gradient = gradient_.values();
+    right_side_.resize(problem_.unknowns());
     parallel_for(right_side_.size(), [&](std::size_t n) { right_side_[n] = -gradient[n]; });
-    const LinearReport linear = conjugate_gradients(matrix, preconditioner, right_side_, direction_,
-                                                    {forcing_term(), options_.largest_linear_iterations});
+    double tolerance = forcing_term();
+    const bool is_whole = options_.settles_mechanisms && report_.newton_iterations == 1;
+    if (is_whole) {
+      const double missing = std::sqrt(dot(right_side_, right_side_));
+      start_ = free_part(solution_.motion);
+      linear_.add_product(place, start_, right_side_);
+      tolerance *= std::min(1.0, missing / std::sqrt(dot(right_side_, right_side_)));
+    }
+    Stopwatch watch;
+    const LinearReport linear =
+        linear_.solve(place, right_side_, {tolerance, options_.largest_linear_iterations}, direction_);
+    if (is_whole) parallel_for(direction_.size(), [&](std::size_t n) { direction_[n] -= start_[n]; });
+    const double change = dot(direction_, direction_), motion = dot(solution_.motion, solution_.motion);
+    correction_ = change > 0.0 ? std::sqrt(change / std::max(change, motion)) : 0.0;
+    report_.linear_seconds += watch.lap();
     report_.linear_iterations += linear.iterations;
+    report_.linear_solves = linear_.counts();
+  }
+
+  std::vector<double> free_part(std::vector<double> motion) const {
+    for (std::size_t n = 0; n < problem_.bodies(); ++n) {
+      if ((problem_.held[n] & holds_translation) != 0) std::fill_n(motion.begin() + 6 * n, 3, 0.0);
+      if ((problem_.held[n] & holds_rotation) != 0) std::fill_n(motion.begin() + 6 * n + 3, 3, 0.0);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (!problem_.has_axes || problem_.axis_held[axis]) motion[6 * problem_.bodies() + axis] = 0.0;
+    }
+    return motion;
   }
 
   void move(double length) {
@@ -111,10 +144,11 @@ class NewtonSolve {
     start_ = solution_.motion;
     const double slope_at_start = dot(gradient_.values(), direction_);
     if (!(slope_at_start < 0.0)) return move(1.0);
+    double taken = 1.0;
     double low = 0.0, high = 1.0, low_slope = slope_at_start;
     move(high);
     double high_slope = dot(gradient_.values(), direction_);
-    if (high_slope <= 0.0) return;
+    if (high_slope <= 0.0) return adapt_damping(1.0);
     double slope = high_slope;
     // A step a little uphill is usually the shortest way; when it is not, iterates may cycle far from the
     // solution.
@@ -125,6 +159,7 @@ class NewtonSolve {
       const double chord = low - low_slope * (high - low) / (high_slope - low_slope);
       const double length = std::clamp(chord, low + 0.02 * (high - low), high - 0.02 * (high - low));
       move(length);
+      taken = length;
       slope = dot(gradient_.values(), direction_);
       // The end that stays counts half (Illinois), so that both ends close in.
       if (slope > 0.0) {
@@ -137,28 +172,98 @@ class NewtonSolve {
         high_slope *= 0.5;
       }
     }
+    adapt_damping(taken);
+  }
+
+  // Damping in the sense of Levenberg and Marquardt: when the line search has to shorten a direction for the
+  // sake of a few bodies that it throws far off, the next one holds these back and lets the others go. Not
+  // for ever: long chains creep under it.
+  void adapt_damping(double length) {
+    if (residual_.force < near_solution || report_.newton_iterations >= damped_until) {
+      damping_ = 0.0;
+    } else if (length < 0.3) {
+      damping_ = std::clamp(10.0 * damping_, first_damping, most_damping);
+    } else if (length >= 1.0) {
+      damping_ = damping_ > least_damping ? 0.1 * damping_ : 0.0;
+    }
   }
 
   static constexpr double far_from_solution = 1e-2;
   static constexpr double near_solution = 1e-4;
-  static constexpr int strict_from = 12;  // Newton iterations
+  static constexpr double least_damping = 1e-7, first_damping = 1e-3, most_damping = 0.3;
+  static constexpr int strict_from = 12, damped_until = 25;  // Newton iterations
 
   const Problem& problem_;
   const Options& options_;
   Solution& solution_;
   Gradient gradient_;
   std::vector<double> penalty_, stiff_penalty_;
+  LinearSolver linear_;
   bool opens_freely_;
   Residual residual_;
   double best_force_ = std::numeric_limits<double>::infinity();
   Report report_;
   std::vector<double> right_side_, direction_, start_;
+  double correction_ = std::numeric_limits<double>::infinity();  // the last one's size over the motion's
+  double damping_ = 0.0;                                         // share of every body's own stiffness
 };
+
+// Mean stiffness of a neck against its own pull [force per displacement].
+double mean_stiffness(const Problem& problem) {
+  double sum = 0.0, count = 0.0;
+  for (const Edge& edge : problem.edges) {
+    const double secant = secant_stiffness(edge.response);
+    if (secant == 0.0) continue;
+    sum += secant;
+    count += 1.0;
+  }
+  return count > 0.0 ? sum / count : 0.0;
+}
+
+void add_cost(const Report& of, Report& total) {
+  total.newton_iterations += of.newton_iterations;
+  total.linear_iterations += of.linear_iterations;
+  total.linear_solves.add(of.linear_solves);
+  total.linear_seconds += of.linear_seconds;
+}
+
+// Networks that resist approach only are full of soft modes and mechanisms, along which Newton's method runs
+// far off and does not come back. Solving first with an inertia that holds them, then with less and less of
+// it, follows the path on which real inertia lets them go. The true inertia has the last word.
+Report solve_with_falling_inertia(const Problem& problem, const Options& options, Solution& solution) {
+  constexpr std::array shares{1e-1, 1e-3, 1e-5, 1e-7};  // of the mean stiffness, for a body of mean mass
+  const std::size_t first = options.settles_mechanisms ? 0 : shares.size() - 1;
+  const double stiffness = mean_stiffness(problem);
+  double mass = 0.0;
+  for (const double own : problem.mass) mass += own;
+  mass /= static_cast<double>(std::max<std::size_t>(1, problem.bodies()));
+  Report total;
+  if (!(mass > 0.0) || !(stiffness > 0.0)) return total;
+  Problem heavy = problem;
+  Options rough = options;
+  rough.tolerance = std::max(options.tolerance, 1e-4);
+  rough.largest_correction = 20.0 * options.tolerance;
+  for (std::size_t level = first; level < shares.size(); ++level) {
+    const double factor = 1.0 + shares[level] * stiffness / mass;
+    for (std::size_t n = 0; n < problem.bodies(); ++n) {
+      heavy.mass[n] = factor * problem.mass[n];
+      heavy.moment[n] = factor * problem.moment[n];
+    }
+    const Report report = NewtonSolve(heavy, rough, solution).run();
+    add_cost(report, total);
+  }
+  return total;
+}
 
 }  // namespace
 
 Report solve_newton(const Problem& problem, const Options& options, Solution& solution) {
-  return NewtonSolve(problem, options, solution).run();
+  Report before;
+  const bool rests = options.settles_mechanisms || options.mechanisms_at_rest;
+  if (rests && is_central(problem)) before = solve_with_falling_inertia(problem, options, solution);
+  Report report = NewtonSolve(problem, options, solution).run();
+  add_cost(before, report);
+  return report;
 }
 
 }  // namespace frit::solve

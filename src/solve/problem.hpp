@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/vec.hpp"
@@ -58,6 +59,8 @@ struct Problem {
   // Motion that a body alone is carried along with by its surroundings (empty: no body is). It enters with
   // the inertia, so it moves only what nothing else holds; it is no load on a cluster that the body touches.
   std::vector<Vec3> carried;
+  // Places of the bodies at mid-step; they group bodies that are near each other and enter no result.
+  std::vector<Vec3> position;
   std::vector<std::uint8_t>
       held;  // holds_translation | holds_rotation: those unknowns keep their start value
   // one per edge
@@ -87,12 +90,27 @@ struct Solution {
   }
 };
 
+// Linear solves by what preconditioned them.
+struct LinearCounts {
+  int block_jacobi = 0, with_coarse_level = 0, factored = 0;
+  int in_double = 0;  // of these, in double precision
+
+  void add(const LinearCounts& other) {
+    block_jacobi += other.block_jacobi;
+    with_coarse_level += other.with_coarse_level;
+    factored += other.factored;
+    in_double += other.in_double;
+  }
+};
+
 // How a solve went: a value, never an exception.
 struct Report {
   bool converged = false;
   int newton_iterations = 0;
   long linear_iterations = 0;
+  LinearCounts linear_solves;
   int multiplier_updates = 0;
+  double linear_seconds = 0.0;  // wall time in linear solves, set-up included
   double residual = 0.0;        // of the last iterate, in force units of the problem
   std::vector<double> history;  // residual before every iteration
 };
@@ -101,7 +119,12 @@ struct Options {
   double tolerance = 1e-6;  // on the residual (gradient.hpp)
   int largest_newton_iterations = 60;
   long largest_linear_iterations = 3000;  // of one linear solve
-  double penalty_factor = 30.0;           // stiffness of a multiplier over that of its surroundings
+  // Also asked, if given: size of the last correction relative to that of the motion.
+  std::optional<double> largest_correction{};
+  // Bodies start the step from rest, so nothing moves along a mechanism. settles: nor does what the start may
+  // have of one survive; at_rest: the start has nothing.
+  bool settles_mechanisms = false, mechanisms_at_rest = false;
+  double penalty_factor = 30.0;  // stiffness of a multiplier over that of its surroundings
 };
 
 }  // namespace frit::solve

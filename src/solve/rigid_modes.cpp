@@ -31,7 +31,7 @@ class Walk {
   Walk(const Problem& problem, const Solution& solution)
       : problem_(problem),
         solution_(solution),
-        incidence_(problem.bodies(), edge_ends(problem)),
+        incidence_(incidence_of(problem)),
         place_(problem.bodies(), Vec3::Zero()),
         seen_(problem.bodies(), false) {}
 

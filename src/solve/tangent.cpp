@@ -1,7 +1,6 @@
 #include "solve/tangent.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "core/parallel.hpp"
@@ -9,9 +8,6 @@
 
 namespace frit::solve {
 namespace {
-
-using ConstVec = Eigen::Map<const Vec3>;
-using Block = Eigen::Matrix<double, 6, 6>;
 
 // Stiffness of the viscous part: its tangent 3 viscosity growth q^2, except where Newton's method would be
 // thrown far off by it. A neck far smaller than its own pull would make it in the step (a young one), or one
@@ -21,10 +17,14 @@ double viscous_stiffness(const NormalResponse& r, double approach, Stiffness kin
   if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
   const double start = std::clamp(r.start, 0.0, r.cap);
   const double q = r.start + r.growth * approach;
-  const double free_q = std::min(r.cap, std::cbrt(start * start * start + r.pull / r.viscosity));
-  const bool is_torn = r.pull > 0.0 && q < 0.25 * free_q;
-  const bool is_far = kind == Stiffness::guarded && free_q > 2.0 * q;
+  const double free_q_cubed = start * start * start + r.pull / r.viscosity;
+  const auto is_below = [&](double size) {  // size < min(cap, free q), without its cubic root
+    return size < r.cap && size * size * size < free_q_cubed;
+  };
+  const bool is_torn = r.pull > 0.0 && is_below(4.0 * q);
+  const bool is_far = kind == Stiffness::guarded && is_below(2.0 * q);
   if (is_torn || is_far) {
+    const double free_q = std::min(r.cap, std::cbrt(free_q_cubed));
     return r.growth * (viscous_potential(r, free_q) - viscous_potential(r, q)) / (free_q - q);
   }
   return viscous_tangent(r, approach);
@@ -39,201 +39,242 @@ double normal_stiffness(const Edge& edge, double approach, double multiplier, do
   return stiffness * edge.approach_scale * edge.approach_scale;
 }
 
-void add_edge_block(const TangentEdge& edge, bool is_second, Block& block) {
-  const Vec3 normal = ConstVec(edge.normal);
-  const double sign = is_second ? -1.0 : 1.0;
-  const double arm = is_second ? edge.arm_j : edge.arm_i;
-  Mat3 cross;
-  cross << 0, -normal.z(), normal.y(), normal.z(), 0, -normal.x(), -normal.y(), normal.x(), 0;
+template <class Real>
+TangentEdge<Real> tangent_edge(const Edge& edge, double normal) {
+  const auto real = [](double value) { return static_cast<Real>(value); };
+  return {{real(edge.normal.x()), real(edge.normal.y()), real(edge.normal.z()), Real(0)},
+          real(edge.arm_i),
+          real(edge.arm_j),
+          real(edge.sliding),
+          real(normal - edge.sliding),
+          real(edge.rolling),
+          real(edge.twisting - edge.rolling),
+          edge.i,
+          edge.j};
+}
+
+// What an edge does to its two bodies.
+template <class Real>
+struct Pull {
+  Lanes<Real> force, lever_moment, moment;  // lever_moment = normal x force, moment from bending
+};
+
+template <bool bends, class Real>
+inline Pull<Real> pull_of(const TangentEdge<Real>& edge, const Motion<Real>& of_i, const Motion<Real>& of_j,
+                          Lanes<Real> stretch) {
+  const Lanes<Real> normal = load(edge.normal);
+  const Lanes<Real> turning = edge.arm_i * of_i.w + edge.arm_j * of_j.w;
+  const Lanes<Real> relative = of_i.u - of_j.u - stretch + cross(turning, normal);
+  Pull<Real> pull;
+  pull.force = edge.sliding * relative + edge.normal_excess * dot(relative, normal) * normal;
+  pull.lever_moment = edge.sliding * cross(normal, relative);
+  pull.moment = Lanes<Real>{};
+  if constexpr (bends) {
+    const Lanes<Real> turn = of_i.w - of_j.w;
+    pull.moment = edge.rolling * turn + edge.twisting_excess * dot(normal, turn) * normal;
+  }
+  return pull;
+}
+
+void add_end(const Vec3& normal, double signed_arm, double sliding, double excess, DiagonalBlock& block) {
   const Mat3 along = normal * normal.transpose();
+  block.translation += sliding * Mat3::Identity() + excess * along;
+  block.coupling += signed_arm * sliding * normal;
+  block.rotation += signed_arm * signed_arm * sliding * (Mat3::Identity() - along);
+}
+
+template <class Real>
+void add_edge(const TangentEdge<Real>& edge, bool is_second, DiagonalBlock& block) {
+  const Vec3 normal(edge.normal[0], edge.normal[1], edge.normal[2]);
   const double sliding = edge.sliding;
-  block.topLeftCorner<3, 3>() += sliding * Mat3::Identity() + edge.normal_excess * along;
-  block.topRightCorner<3, 3>() -= sign * arm * sliding * cross;
-  block.bottomLeftCorner<3, 3>() += sign * arm * sliding * cross;
-  block.bottomRightCorner<3, 3>() += arm * arm * sliding * (Mat3::Identity() - along);
-}
-
-// Inverse of a block without the directions that resist only round-off. The metric of the inertia (rotation
-// scaled by the radius of gyration) decides what is shortest, as in the limit of vanishing inertia.
-Block pseudo_inverse(const Block& block, double mass, double moment) {
-  const double gyration = mass > 0.0 && moment > 0.0 ? std::sqrt(moment / mass) : 1.0;
-  Eigen::Matrix<double, 6, 1> scale;
-  scale << Vec3::Ones(), Vec3::Constant(1.0 / gyration);
-  const Block scaled = scale.asDiagonal() * block * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Block> eigen(scaled);
-  const double threshold = 1e-13 * eigen.eigenvalues()[5];
-  Eigen::Matrix<double, 6, 1> inverted;
-  for (int n = 0; n < 6; ++n) {
-    inverted[n] = eigen.eigenvalues()[n] > threshold ? 1.0 / eigen.eigenvalues()[n] : 0.0;
+  if (edge.i == edge.j) {  // its own copy: translations cancel, both arms turn together
+    if (is_second) return;
+    const double arm = double(edge.arm_i) + double(edge.arm_j);
+    block.rotation += arm * arm * sliding * (Mat3::Identity() - normal * normal.transpose());
+    return;
   }
-  const Block inverse = eigen.eigenvectors() * inverted.asDiagonal() * eigen.eigenvectors().transpose();
-  return scale.asDiagonal() * inverse * scale.asDiagonal();
-}
-
-Block invert(const Block& block, double mass, double moment) {
-  const Eigen::Matrix<double, 6, 1> diagonal = block.diagonal();
-  if (diagonal.maxCoeff() <= 0.0) return Block::Zero();
-  if (diagonal.minCoeff() <= 0.0) return pseudo_inverse(block, mass, moment);
-  const Eigen::Matrix<double, 6, 1> scale = diagonal.cwiseSqrt().cwiseInverse();
-  const Eigen::LLT<Block> factor(scale.asDiagonal() * block * scale.asDiagonal());
-  const bool clear = factor.info() == Eigen::Success && factor.matrixLLT().diagonal().minCoeff() > 1e-5;
-  if (!clear) return pseudo_inverse(block, mass, moment);
-  const Block inverse = factor.solve(Block::Identity());
-  return scale.asDiagonal() * (0.5 * (inverse + inverse.transpose())) * scale.asDiagonal();
-}
-
-// Held unknowns uncoupled; the unit diagonal keeps the block invertible and meets only zeros.
-void hold(Block& block, std::uint8_t held) {
-  for (int n = 0; n < 6; ++n) {
-    if ((held & (n < 3 ? holds_translation : holds_rotation)) == 0) continue;
-    block.row(n).setZero();
-    block.col(n).setZero();
-    block(n, n) = 1.0;
-  }
-}
-
-std::vector<std::array<std::int32_t, 2>> ends_of(const std::vector<TangentEdge>& edges) {
-  std::vector<std::array<std::int32_t, 2>> ends(edges.size());
-  for (std::size_t k = 0; k < ends.size(); ++k) ends[k] = {edges[k].i, edges[k].j};
-  return ends;
-}
-
-std::vector<TangentEdge> stiff_edges(const Problem& problem, const Gradient& at,
-                                     std::span<const double> penalty, Stiffness kind,
-                                     std::vector<std::size_t>& kept) {
-  std::vector<TangentEdge> edges;
-  edges.reserve(problem.edges.size());
-  for (std::size_t k = 0; k < problem.edges.size(); ++k) {
-    const Edge& edge = problem.edges[k];
-    const double normal = normal_stiffness(edge, at.approach()[k], at.multiplier()[k], penalty[k], kind);
-    if (normal == 0.0 && edge.sliding == 0.0 && edge.rolling == 0.0) continue;
-    edges.push_back({{edge.normal.x(), edge.normal.y(), edge.normal.z()},
-                     edge.arm_i,
-                     edge.arm_j,
-                     normal - edge.sliding,
-                     edge.sliding,
-                     edge.i,
-                     edge.j});
-    kept.push_back(k);
-  }
-  return edges;
+  add_end(normal, is_second ? -double(edge.arm_j) : double(edge.arm_i), sliding, edge.normal_excess, block);
+  block.rotation +=
+      double(edge.rolling) * Mat3::Identity() + double(edge.twisting_excess) * normal * normal.transpose();
 }
 
 }  // namespace
 
-TangentOperator::TangentOperator(const Problem& problem, const Gradient& at, std::span<const double> penalty,
-                                 Stiffness kind)
-    : problem_(problem), incidence_(0, {}) {
-  std::vector<std::size_t> kept;
-  kept.reserve(problem.edges.size());
-  edges_ = stiff_edges(problem, at, penalty, kind, kept);
-  incidence_ = Incidence(problem.bodies(), ends_of(edges_));
-  force_.resize(edges_.size());
-  bool bends = false;
-  for (const std::size_t k : kept) {
-    if (problem.has_axes) branch_.push_back(problem.branch[k]);
-    bends = bends || problem.edges[k].rolling != 0.0 || problem.edges[k].twisting != 0.0;
-  }
-  if (!bends) return;
-  moment_.resize(edges_.size());
-  for (const std::size_t k : kept) {
-    rolling_.push_back(problem.edges[k].rolling);
-    twisting_.push_back(problem.edges[k].twisting);
-  }
-}
-
-void TangentOperator::act_on_edge(std::size_t k, std::span<const double> in) {
-  const TangentEdge& edge = edges_[k];
-  const double* of_i = in.data() + 6 * static_cast<std::size_t>(edge.i);
-  const double* of_j = in.data() + 6 * static_cast<std::size_t>(edge.j);
-  const Vec3 normal = ConstVec(edge.normal);
-  Vec3 relative = ConstVec(of_i) - ConstVec(of_j);
-  if (!branch_.empty()) relative -= ConstVec(in.data() + 6 * problem_.bodies()).cwiseProduct(branch_[k]);
-  const Vec3 turning = edge.arm_i * ConstVec(of_i + 3) + edge.arm_j * ConstVec(of_j + 3);
-  relative += turning.cross(normal);
-  const Vec3 force = edge.sliding * relative + edge.normal_excess * relative.dot(normal) * normal;
-  force_[k] = {force, normal.cross(force)};
-  if (!moment_.empty()) {
-    const Vec3 turn = ConstVec(of_i + 3) - ConstVec(of_j + 3);
-    moment_[k] = rolling_[k] * turn + (twisting_[k] - rolling_[k]) * normal.dot(turn) * normal;
-  }
-}
-
-void TangentOperator::gather_body(std::size_t body, std::span<const double> in, std::span<double> out) const {
-  const double* own = in.data() + 6 * body;
-  Vec3 force = problem_.mass[body] * ConstVec(own);
-  Vec3 moment = problem_.moment[body] * ConstVec(own + 3);
-  for (const Incident incident : incidence_.at(body)) {
-    const std::size_t k = incident.edge();
-    if (incident.is_second()) {
-      force -= force_[k].force;
-      moment += edges_[k].arm_j * force_[k].lever_moment;
-      if (!moment_.empty()) moment -= moment_[k];
-    } else {
-      force += force_[k].force;
-      moment += edges_[k].arm_i * force_[k].lever_moment;
-      if (!moment_.empty()) moment += moment_[k];
-    }
-  }
-  const std::uint8_t held = problem_.held[body];
-  if ((held & holds_translation) != 0) force.setZero();
-  if ((held & holds_rotation) != 0) moment.setZero();
-  Eigen::Map<Vec3>(out.data() + 6 * body) = force;
-  Eigen::Map<Vec3>(out.data() + 6 * body + 3) = moment;
-}
-
-void TangentOperator::gather_axes(std::span<double> out) const {
-  Vec3 total = Vec3::Zero();
-  if (!branch_.empty()) {
-    total = -ordered_sum(edges_.size(), Vec3(Vec3::Zero()), [&](std::size_t begin, std::size_t end) {
-      Vec3 sum = Vec3::Zero();
-      for (std::size_t k = begin; k < end; ++k) sum += force_[k].force.cwiseProduct(branch_[k]);
-      return sum;
-    });
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    out[6 * problem_.bodies() + axis] = problem_.axis_held[axis] ? 0.0 : total[axis];
-  }
-}
-
-void TangentOperator::apply(std::span<const double> in, std::span<double> out) {
-  parallel_for(edges_.size(), [&](std::size_t k) { act_on_edge(k, in); });
-  parallel_for(problem_.bodies(), [&](std::size_t body) { gather_body(body, in, out); });
-  gather_axes(out);
-}
-
-Block TangentOperator::body_block(std::size_t body) const {
-  Block block = Block::Zero();
-  block.diagonal() << Vec3::Constant(problem_.mass[body]), Vec3::Constant(problem_.moment[body]);
-  for (const Incident incident : incidence_.at(body)) {
-    const std::size_t k = incident.edge();
-    const TangentEdge& edge = edges_[k];
-    if (edge.i == edge.j) {  // its own copy: translations cancel, both arms turn together
-      TangentEdge turning = edge;
-      turning.arm_i = turning.arm_j = std::sqrt(0.5) * (edge.arm_i + edge.arm_j);
-      Block both = Block::Zero();
-      add_edge_block(turning, false, both);
-      block.bottomRightCorner<3, 3>() += both.bottomRightCorner<3, 3>();
-      continue;
-    }
-    add_edge_block(edge, incident.is_second(), block);
-    if (!moment_.empty()) {
-      const Vec3 normal = ConstVec(edge.normal);
-      block.bottomRightCorner<3, 3>() +=
-          rolling_[k] * Mat3::Identity() + (twisting_[k] - rolling_[k]) * normal * normal.transpose();
-    }
-  }
-  hold(block, problem_.held[body]);
+Eigen::Matrix<double, 6, 6> DiagonalBlock::full() const {
+  Mat3 cross;
+  cross << 0, -coupling.z(), coupling.y(), coupling.z(), 0, -coupling.x(), -coupling.y(), coupling.x(), 0;
+  Eigen::Matrix<double, 6, 6> block;
+  block << translation, -cross, cross, rotation;
   return block;
 }
 
-Mat3 TangentOperator::axes_block() const {
+template <class Real>
+TangentOperator<Real>::TangentOperator(const Problem& problem, const Gradient& at,
+                                       std::span<const double> penalty, Stiffness kind)
+    : problem_(problem),
+      blocks_(at.blocks()),
+      resistance_(problem.mass.begin(), problem.mass.end()),
+      spin_resistance_(problem.moment.begin(), problem.moment.end()) {
+  edges_.resize(blocks_.entries());
+  if (problem.has_axes) branch_.resize(blocks_.entries());
+  count_.assign(kinds_of_ends * blocks_.count(), 0);
+  axes_force_.resize(blocks_.count());
+  std::vector<std::uint8_t> bends(blocks_.count(), 0);
+  parallel_blocks(problem.bodies(), [&](std::size_t begin, std::size_t) {
+    const std::size_t block = begin / block_size;
+    fill(block, at, penalty, kind);
+    for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+      for (const TangentEdge<Real>& edge : edges_of(block, ends)) {
+        if (edge.rolling != Real(0) || edge.twisting_excess != Real(0)) bends[block] = 1;
+      }
+    }
+  });
+  const auto is_set = [](std::uint8_t value) { return value != 0; };
+  bends_ = std::any_of(bends.begin(), bends.end(), is_set);
+  holds_ = std::any_of(problem.held.begin(), problem.held.end(), is_set);
+}
+
+template <class Real>
+void TangentOperator<Real>::fill(std::size_t block, const Gradient& at, std::span<const double> penalty,
+                                 Stiffness kind) {
+  for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+    std::size_t next = blocks_.begin(block, ends);
+    for (const std::uint32_t k : blocks_.edges(block, ends)) {
+      const Edge& edge = problem_.edges[k];
+      const double normal = normal_stiffness(edge, at.approach()[k], at.multiplier()[k], penalty[k], kind);
+      if (normal == 0.0 && edge.sliding == 0.0 && edge.rolling == 0.0 && edge.twisting == 0.0) continue;
+      edges_[next] = tangent_edge<Real>(edge, normal);
+      if (problem_.has_axes) branch_[next] = lanes<Real>(problem_.branch[k]);
+      ++next;
+    }
+    count_[list_of(block, ends)] = static_cast<std::uint32_t>(next - blocks_.begin(block, ends));
+  }
+}
+
+template <class Real>
+std::size_t TangentOperator<Real>::edges() const {
+  std::size_t total = 0;
+  for (std::size_t block = 0; block < blocks_.count(); ++block) {
+    total += edges_of(block, Ends::both).size() + edges_of(block, Ends::first).size();
+  }
+  return total;
+}
+
+template <class Real>
+std::span<const TangentEdge<Real>> TangentOperator<Real>::edges_of(std::size_t block, Ends ends) const {
+  return {edges_.data() + blocks_.begin(block, ends), count_[list_of(block, ends)]};
+}
+
+template <class Real>
+template <bool bends>
+double TangentOperator<Real>::apply_block(std::size_t block, const Motion<Real>* in, Motion<Real>* out) {
+  const std::size_t begin = block * block_size, end = std::min(problem_.bodies(), begin + block_size);
+  for (std::size_t n = begin; n < end; ++n) {
+    out[n] = {resistance_[n] * in[n].u, spin_resistance_[n] * in[n].w};
+  }
+  const Lanes<Real> axes = in[problem_.bodies()].u;
+  Lanes<Real> axes_force{};
+  for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+    const std::size_t start = blocks_.begin(block, ends);
+    const std::span<const TangentEdge<Real>> list = edges_of(block, ends);
+    for (std::size_t n = 0; n < list.size(); ++n) {
+      const TangentEdge<Real>& edge = list[n];
+      const Lanes<Real> branch = branch_.empty() ? Lanes<Real>{} : branch_[start + n];
+      const Pull<Real> pull = pull_of<bends>(edge, in[edge.i], in[edge.j], axes * branch);
+      if (ends != Ends::second) {
+        out[edge.i].u += pull.force;
+        out[edge.i].w += edge.arm_i * pull.lever_moment + pull.moment;
+        axes_force += pull.force * branch;
+      }
+      if (ends != Ends::first) {
+        out[edge.j].u -= pull.force;
+        out[edge.j].w += edge.arm_j * pull.lever_moment - pull.moment;
+      }
+    }
+  }
+  axes_force_[block] = to_vec3(axes_force);
+  if (holds_) hold(begin, end, out);
+  Lanes<double> total{};
+  for (std::size_t n = begin; n < end; ++n) total += products(in[n], out[n]);
+  return sum(total);
+}
+
+template <class Real>
+void TangentOperator<Real>::hold(std::size_t begin, std::size_t end, Motion<Real>* out) const {
+  for (std::size_t n = begin; n < end; ++n) {
+    if ((problem_.held[n] & holds_translation) != 0) out[n].u = Lanes<Real>{};
+    if ((problem_.held[n] & holds_rotation) != 0) out[n].w = Lanes<Real>{};
+  }
+}
+
+template <class Real>
+double TangentOperator<Real>::apply(std::span<const Motion<Real>> in, std::span<Motion<Real>> out) {
+  const std::size_t bodies = problem_.bodies();
+  const double total = ordered_sum(bodies, 0.0, [&](std::size_t begin, std::size_t) {
+    const std::size_t block = begin / block_size;
+    return bends_ ? apply_block<true>(block, in.data(), out.data())
+                  : apply_block<false>(block, in.data(), out.data());
+  });
+  Vec3 axes = Vec3::Zero();
+  for (const Vec3& force : axes_force_) axes -= force;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (problem_.axis_held[axis]) axes[axis] = 0.0;
+  }
+  out[bodies] = {lanes<Real>(axes), Lanes<Real>{}};
+  return total + sum(products(in[bodies], out[bodies]));
+}
+
+template <class Real>
+void TangentOperator<Real>::apply(std::span<const double> in, std::span<double> out) {
+  const std::size_t count = problem_.bodies() + 1;
+  Motions<Real> from(count), to(count);
+  for (std::size_t n = 0; n < count; ++n) from[n] = motion_at<Real>(in, n, 1.0);
+  apply(std::span<const Motion<Real>>(from), std::span<Motion<Real>>(to));
+  for (std::size_t n = 0; n < count; ++n) put_motion(to[n], n, 1.0, out);
+}
+
+template <class Real>
+void TangentOperator<Real>::damp(double share) {
+  parallel_blocks(problem_.bodies(), [&](std::size_t begin, std::size_t end) {
+    const std::vector<DiagonalBlock> diagonal = diagonal_blocks(begin, end);
+    for (std::size_t n = begin; n < end; ++n) {
+      resistance_[n] += static_cast<Real>(share / 3.0 * diagonal[n - begin].translation.trace());
+      spin_resistance_[n] += static_cast<Real>(share / 3.0 * diagonal[n - begin].rotation.trace());
+    }
+  });
+}
+
+template <class Real>
+std::vector<DiagonalBlock> TangentOperator<Real>::diagonal_blocks(std::size_t begin, std::size_t end) const {
+  std::vector<DiagonalBlock> diagonal(end - begin);
+  for (std::size_t n = begin; n < end; ++n) {
+    diagonal[n - begin].translation = double(resistance_[n]) * Mat3::Identity();
+    diagonal[n - begin].rotation = double(spin_resistance_[n]) * Mat3::Identity();
+  }
+  for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+    for (const TangentEdge<Real>& edge : edges_of(begin / block_size, ends)) {
+      if (ends != Ends::second) add_edge(edge, false, diagonal[static_cast<std::size_t>(edge.i) - begin]);
+      if (ends != Ends::first) add_edge(edge, true, diagonal[static_cast<std::size_t>(edge.j) - begin]);
+    }
+  }
+  return diagonal;
+}
+
+template <class Real>
+Mat3 TangentOperator<Real>::axes_block() const {
   Mat3 block = Mat3::Zero();
-  for (std::size_t k = 0; k < branch_.size(); ++k) {
-    const Vec3 normal = ConstVec(edges_[k].normal);
-    const Vec3 along = branch_[k].cwiseProduct(normal);
-    block += edges_[k].normal_excess * along * along.transpose();
-    block.diagonal() += edges_[k].sliding * branch_[k].cwiseAbs2();
+  if (branch_.empty()) return block;
+  for (std::size_t part = 0; part < blocks_.count(); ++part) {
+    for (const Ends ends : {Ends::both, Ends::first}) {
+      const std::size_t start = blocks_.begin(part, ends);
+      const std::span<const TangentEdge<Real>> list = edges_of(part, ends);
+      for (std::size_t n = 0; n < list.size(); ++n) {
+        const Vec3 normal(list[n].normal[0], list[n].normal[1], list[n].normal[2]);
+        const Vec3 branch = to_vec3(branch_[start + n]), along = branch.cwiseProduct(normal);
+        block += double(list[n].normal_excess) * along * along.transpose();
+        block.diagonal() += double(list[n].sliding) * branch.cwiseAbs2();
+      }
+    }
   }
   for (int axis = 0; axis < 3; ++axis) {
     if (!problem_.axis_held[axis]) continue;
@@ -243,24 +284,7 @@ Mat3 TangentOperator::axes_block() const {
   return block;
 }
 
-BlockJacobi::BlockJacobi(const TangentOperator& matrix) : inverse_(matrix.problem().bodies()) {
-  const Problem& problem = matrix.problem();
-  parallel_for(inverse_.size(), [&](std::size_t body) {
-    inverse_[body] = invert(matrix.body_block(body), problem.mass[body], problem.moment[body]);
-  });
-  if (!problem.has_axes) return;
-  Block padded = Block::Zero();
-  padded.topLeftCorner<3, 3>() = matrix.axes_block();
-  axes_inverse_ = pseudo_inverse(padded, 1.0, 1.0).topLeftCorner<3, 3>();
-}
-
-void BlockJacobi::apply_body(std::size_t body, const double* in, double* out) const {
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  Eigen::Map<Vector6>(out).noalias() = inverse_[body] * Eigen::Map<const Vector6>(in);
-}
-
-void BlockJacobi::apply_axes(const double* in, double* out) const {
-  Eigen::Map<Vec3>{out} = axes_inverse_ * ConstVec(in);
-}
+template class TangentOperator<float>;
+template class TangentOperator<double>;
 
 }  // namespace frit::solve

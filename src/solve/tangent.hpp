@@ -1,4 +1,4 @@
-// The linear operator of a Newton iteration, applied edge by edge without a matrix, and its block diagonal.
+// The linear operator of a Newton iteration, applied edge by edge without a matrix.
 #pragma once
 
 #include <cstdint>
@@ -6,18 +6,21 @@
 #include <vector>
 
 #include "core/vec.hpp"
+#include "solve/edge_blocks.hpp"
 #include "solve/gradient.hpp"
-#include "solve/incidence.hpp"
+#include "solve/motion.hpp"
 #include "solve/problem.hpp"
 
 namespace frit::solve {
 
-// What an edge contributes to the operator: 64 bytes, one cache line, streamed once per product.
-struct alignas(64) TangentEdge {
-  double normal[3];
-  double arm_i, arm_j;
-  double normal_excess;  // normal minus sliding stiffness
-  double sliding;
+// What an edge contributes to the operator: 48 bytes in single precision, streamed once per product.
+template <class Real>
+struct alignas(Lanes<Real>) TangentEdge {
+  Real normal[4];  // the fourth is zero
+  Real arm_i, arm_j;
+  Real sliding;
+  Real normal_excess;  // normal minus sliding stiffness
+  Real rolling, twisting_excess;
   std::int32_t i, j;
 };
 
@@ -25,52 +28,66 @@ struct alignas(64) TangentEdge {
 // overshoot of Newton's method on a cubic.
 enum class Stiffness { tangent, guarded };
 
-// K + M at a motion: symmetric, positive (semi)definite. Edges without stiffness are left out.
+// A body's 6x6 diagonal block [[T, -[c]x], [[c]x, R]] with symmetric T and R.
+struct DiagonalBlock {
+  Mat3 translation = Mat3::Zero();
+  Mat3 rotation = Mat3::Zero();
+  Vec3 coupling = Vec3::Zero();  // c
+
+  Eigen::Matrix<double, 6, 6> full() const;
+};
+
+// K + M at a motion: symmetric, positive (semi)definite. Edges without stiffness are left out. `Real` is the
+// precision of the edges and of the vectors it is applied to: float or double.
+template <class Real>
 class TangentOperator {
  public:
   TangentOperator(const Problem& problem, const Gradient& at, std::span<const double> penalty,
                   Stiffness kind);
 
-  // out = (K + M) in; unknowns as in problem.hpp; held unknowns give 0 and must be 0 in `in`.
+  // out = (K + M) in, returns in . out; both have bodies + 1 entries, the axes last. Held unknowns give 0
+  // and must be 0 in `in`.
+  double apply(std::span<const Motion<Real>> in, std::span<Motion<Real>> out);
+
+  // The same in the layout of problem.hpp.
   void apply(std::span<const double> in, std::span<double> out);
 
-  std::size_t edges() const { return edges_.size(); }
+  std::size_t edges() const;  // with stiffness
   const Problem& problem() const { return problem_; }
+  // Of inertia and damping, against displacement and rotation.
+  double resistance(std::size_t body) const { return resistance_[body]; }
+  double spin_resistance(std::size_t body) const { return spin_resistance_[body]; }
 
-  // Diagonal blocks: 6x6 of a body, 3x3 of the axes.
-  Eigen::Matrix<double, 6, 6> body_block(std::size_t body) const;
+  // Edges that a block of bodies meets, those of its list `ends`.
+  std::span<const TangentEdge<Real>> edges_of(std::size_t block, Ends ends) const;
+
+  // Adds `share` of the mean stiffness of every body's diagonal block to its diagonal.
+  void damp(double share);
+
+  // Diagonal blocks of the bodies [begin, end), a block of core/parallel.hpp; held unknowns not treated.
+  std::vector<DiagonalBlock> diagonal_blocks(std::size_t begin, std::size_t end) const;
   Mat3 axes_block() const;
 
  private:
-  void act_on_edge(std::size_t k, std::span<const double> in);
-  void gather_body(std::size_t body, std::span<const double> in, std::span<double> out) const;
-  void gather_axes(std::span<double> out) const;
+  std::size_t list_of(std::size_t block, Ends ends) const {
+    return kinds_of_ends * block + static_cast<std::size_t>(ends);
+  }
+  void fill(std::size_t block, const Gradient& at, std::span<const double> penalty, Stiffness kind);
+  template <bool bends>
+  double apply_block(std::size_t block, const Motion<Real>* in, Motion<Real>* out);
+  void hold(std::size_t begin, std::size_t end, Motion<Real>* out) const;
 
   const Problem& problem_;
-  std::vector<TangentEdge> edges_;
-  std::vector<Vec3> branch_;                // empty without axes
-  std::vector<double> rolling_, twisting_;  // empty when no neck resists them
-  Incidence incidence_;
-  struct EdgeForce {
-    Vec3 force, lever_moment;  // lever_moment = normal x force
-  };
-  std::vector<EdgeForce> force_;
-  std::vector<Vec3> moment_;
+  const EdgeBlocks& blocks_;
+  bool bends_ = false, holds_ = false;
+  std::vector<Real> resistance_, spin_resistance_;  // of every body: inertia and damping
+  std::vector<TangentEdge<Real>> edges_;            // every list begins where it does in blocks_
+  std::vector<Lanes<Real>> branch_;                 // likewise; empty without axes
+  std::vector<std::uint32_t> count_;                // edges with stiffness of every list
+  std::vector<Vec3> axes_force_;                    // one per block
 };
 
-// Block Jacobi: the pseudo-inverse of every diagonal block. Directions in which a block resists nothing but
-// round-off are dropped, so that a free spin is never excited (docs/decisions/0003).
-class BlockJacobi {
- public:
-  explicit BlockJacobi(const TangentOperator& matrix);
-
-  // out = P in for one body's six unknowns.
-  void apply_body(std::size_t body, const double* in, double* out) const;
-  void apply_axes(const double* in, double* out) const;
-
- private:
-  std::vector<Eigen::Matrix<double, 6, 6>> inverse_;
-  Mat3 axes_inverse_ = Mat3::Zero();
-};
+extern template class TangentOperator<float>;
+extern template class TangentOperator<double>;
 
 }  // namespace frit::solve

@@ -57,8 +57,8 @@ TEST(Translate, AnAutomaticToleranceFollowsTheAccuracyButIsNeverLoose) {
   const auto tolerance = [&](const std::vector<std::string>& overrides) {
     return step_settings_of(pair_case(folder, overrides)).tolerance;
   };
-  EXPECT_DOUBLE_EQ(tolerance({"method.accuracy=0.001"}), 1e-6);
-  EXPECT_DOUBLE_EQ(tolerance({"method.accuracy=0.1"}), 1e-5);
+  EXPECT_DOUBLE_EQ(tolerance({"method.accuracy=0.001"}), 5e-6);
+  EXPECT_DOUBLE_EQ(tolerance({"method.accuracy=0.1"}), 5e-5);
   EXPECT_DOUBLE_EQ(tolerance({"method.tolerance=1e-3"}), 1e-3);
 }
 

@@ -17,7 +17,7 @@ struct System {
   Problem problem;
   std::vector<double> penalty;
   Gradient gradient;
-  TangentOperator matrix;
+  TangentOperator<double> matrix;
   std::vector<double> right_side;
 
   System(const Problem& p, Dice& dice)
@@ -31,11 +31,16 @@ struct System {
   }
 
  private:
-  TangentOperator make() {
+  TangentOperator<double> make() {
     gradient.evaluate(Solution::at_rest(problem), penalty, Multipliers::projected);
     return {problem, gradient, penalty, Stiffness::tangent};
   }
 };
+
+LinearReport solve_by_jacobi(System& system, std::vector<double>& x, const LinearOptions& options) {
+  const BlockJacobi<double> jacobi(system.matrix);
+  return conjugate_gradients<double>(system.matrix, {&jacobi, nullptr}, system.right_side, x, options);
+}
 
 TEST(ConjugateGradients, AgreesWithADenseSolve) {
   Dice dice(1);
@@ -43,8 +48,7 @@ TEST(ConjugateGradients, AgreesWithADenseSolve) {
     System s(arbitrary_problem({.bodies = 8, .edges = 25, .axes = axes}, {Kind::neck, Kind::rigid_gap}, dice),
              dice);
     std::vector<double> x;
-    const LinearReport report =
-        conjugate_gradients(s.matrix, BlockJacobi(s.matrix), s.right_side, x, {1e-12, 1000});
+    const LinearReport report = solve_by_jacobi(s, x, {1e-12, 1000});
     EXPECT_LE(report.relative_residual, 1e-12);
     Eigen::MatrixXd full = dense(s.matrix);
     if (!axes) full.bottomRightCorner<3, 3>().setIdentity();
@@ -60,7 +64,7 @@ TEST(ConjugateGradients, NeedsNoIterationForAZeroRightSide) {
   System s(arbitrary_problem({}, {Kind::neck}, dice), dice);
   std::fill(s.right_side.begin(), s.right_side.end(), 0.0);
   std::vector<double> x(3, 7.0);
-  EXPECT_EQ(conjugate_gradients(s.matrix, BlockJacobi(s.matrix), s.right_side, x, {}).iterations, 0);
+  EXPECT_EQ(solve_by_jacobi(s, x, {}).iterations, 0);
   EXPECT_EQ(x, std::vector<double>(s.problem.unknowns(), 0.0));
 }
 
@@ -68,8 +72,7 @@ TEST(ConjugateGradients, StopsAtItsLimitAndSaysHowFarItGot) {
   Dice dice(3);
   System s(random_cluster({.edge_count = 4}, dice).problem, dice);
   std::vector<double> x;
-  const LinearReport report =
-      conjugate_gradients(s.matrix, BlockJacobi(s.matrix), s.right_side, x, {1e-12, 3});
+  const LinearReport report = solve_by_jacobi(s, x, {1e-12, 3});
   EXPECT_EQ(report.iterations, 3);
   EXPECT_GT(report.relative_residual, 1e-12);
 }
@@ -80,9 +83,9 @@ TEST(ConjugateGradients, GivesTheSameBitsForAnyNumberOfThreads) {
   const int before = threads();
   std::vector<double> one, two;
   set_threads(1);
-  conjugate_gradients(s.matrix, BlockJacobi(s.matrix), s.right_side, one, {1e-4, 100});
+  solve_by_jacobi(s, one, {1e-4, 100});
   set_threads(2);
-  conjugate_gradients(s.matrix, BlockJacobi(s.matrix), s.right_side, two, {1e-4, 100});
+  solve_by_jacobi(s, two, {1e-4, 100});
   set_threads(before);
   EXPECT_EQ(one, two);
 }

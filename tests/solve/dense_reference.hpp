@@ -7,23 +7,9 @@
 #include <limits>
 
 #include "solve/energy.hpp"
-#include "solve/tangent.hpp"
+#include "solve/motions.hpp"
 
 namespace frit::solve::testing {
-
-// The operator as a matrix, column by column.
-inline Eigen::MatrixXd dense(TangentOperator& matrix) {
-  const auto size = static_cast<Eigen::Index>(matrix.problem().unknowns());
-  Eigen::MatrixXd full(size, size);
-  std::vector<double> in(matrix.problem().unknowns(), 0.0), out(in);
-  for (Eigen::Index column = 0; column < size; ++column) {
-    in[static_cast<std::size_t>(column)] = 1.0;
-    matrix.apply(in, out);
-    full.col(column) = Eigen::Map<const Eigen::VectorXd>(out.data(), size);
-    in[static_cast<std::size_t>(column)] = 0.0;
-  }
-  return full;
-}
 
 class DenseReference {
  public:

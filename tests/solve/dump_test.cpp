@@ -24,6 +24,7 @@ Sample sample_with_everything() {
   sample.problem = arbitrary_problem({}, {std::begin(all_kinds), std::end(all_kinds)}, dice);
   sample.problem.held = {0, 1, 2, 3, 0};
   sample.problem.axis_held = {true, false, true};
+  for (int body = 0; body < 5; ++body) sample.problem.position.push_back(dice.vector(3.0));
   sample.problem.mass[0] = 1e-300;
   sample.problem.mass[1] = 5e-324;
   sample.problem.load[0] = Vec3(-0.0, 1.0 / 3.0, 1e308);
@@ -43,6 +44,7 @@ TEST(Dump, ComesBackBitForBit) {
   EXPECT_TRUE(std::signbit(b.load[0].x()));
   EXPECT_EQ(a.torque, b.torque);
   EXPECT_EQ(a.held, b.held);
+  EXPECT_EQ(a.position, b.position);
   EXPECT_EQ(a.branch, b.branch);
   EXPECT_EQ(a.has_axes, b.has_axes);
   EXPECT_EQ(a.axis_load, b.axis_load);
@@ -77,6 +79,12 @@ TEST(Dump, SolvesToTheSameBits) {
   solve_newton(sample.problem, {}, sample.start);
   solve_newton(back.problem, {}, back.start);
   EXPECT_EQ(sample.start.motion, back.start.motion);
+}
+
+TEST(Dump, NeedsNoPositions) {
+  Sample sample = sample_with_everything();
+  sample.problem.position.clear();
+  EXPECT_TRUE(load_dump(dump(sample.problem, sample.start)).problem.position.empty());
 }
 
 TEST(Dump, OfAnEmptyProblemComesBack) {
@@ -122,6 +130,7 @@ TEST(BadDump, IsRefusedWhenPartsDoNotFit) {
   refused([](Sample& s) { s.problem.mass.pop_back(); });
   refused([](Sample& s) { s.problem.torque.pop_back(); });
   refused([](Sample& s) { s.problem.held.push_back(0); });
+  refused([](Sample& s) { s.problem.position.pop_back(); });
   refused([](Sample& s) { s.problem.branch.pop_back(); });
   refused([](Sample& s) { s.problem.edges[3].j = 5; });
   refused([](Sample& s) { s.problem.edges[3].i = -1; });

@@ -31,6 +31,11 @@ const NamedOptions cluster_cases[] = {
     {"rigid_gaps_loaded", {.spacing = 2.0, .jitter = 0.1, .theta = 1e-3, .rigid_gaps = true, .load = 1.0}},
     {"unilateral", {.spacing = 1.95, .theta = 1e-3, .unilateral = true, .load = 1.0}},
     {"periodic", {.spacing = 1.95, .theta = 1e-3, .periodic = true}},
+    {"placed", {.spacing = 1.9, .theta = 1e-3, .placed = true}},
+    {"central", {.spacing = 1.9, .theta = 1e-3, .sliding = 0.0, .placed = true}},
+    {"central_loaded",
+     {.spacing = 1.9, .jitter = 0.1, .theta = 1e-2, .sliding = 0.0, .placed = true, .load = 0.02}},
+    {"central_periodic", {.spacing = 1.9, .theta = 1e-3, .sliding = 0.0, .periodic = true, .placed = true}},
     {"periodic_self_copies",
      {.edge_count = 1, .spacing = 1.95, .jitter = 0.0, .theta = 1e-3, .periodic = true}},
 };

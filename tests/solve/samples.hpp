@@ -110,6 +110,7 @@ struct ClusterOptions {
   bool periodic = false;
   bool rigid_gaps = false;
   bool unilateral = false;
+  bool placed = false;  // the problem knows where its bodies are
   double load = 0.0;
 };
 
@@ -143,20 +144,28 @@ inline Edge sphere_edge(const ClusterOptions& options, const Vec3& apart) {
   return e;
 }
 
+// Of the cell, in units of it; the first half and the middle are those of the second half turned round.
+inline std::vector<Vec3> images(bool periodic) {
+  std::vector<Vec3> shifts;
+  for (int image = 0; image < 27; ++image) {
+    const Vec3 shift(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
+    if (periodic || shift.isZero()) shifts.push_back(shift);
+  }
+  return shifts;
+}
+
 inline void join_near_spheres(const ClusterOptions& options, ClusterSample& sample) {
   const double cell = options.edge_count * options.spacing;
-  const int reach = options.periodic ? 1 : 0;
+  const std::vector<Vec3> shifts = images(options.periodic);
   Problem& p = sample.problem;
-  for (int i = 0; i < static_cast<int>(sample.position.size()); ++i) {
-    for (int j = i; j < static_cast<int>(sample.position.size()); ++j) {
-      for (int image = 0; image < 27; ++image) {
-        const Vec3 shift(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
-        if (shift.cwiseAbs().maxCoeff() > reach || (i == j && image <= 13)) continue;
-        const Vec3 apart = sample.position[j] + cell * shift - sample.position[i];
-        if (apart.norm() > 2.2) continue;
+  for (std::size_t i = 0; i < sample.position.size(); ++i) {
+    for (std::size_t j = i; j < sample.position.size(); ++j) {
+      for (std::size_t image = i == j ? shifts.size() / 2 + 1 : 0; image < shifts.size(); ++image) {
+        const Vec3 apart = sample.position[j] + cell * shifts[image] - sample.position[i];
+        if (apart.squaredNorm() > 2.2 * 2.2) continue;
         p.edges.push_back(sphere_edge(options, apart));
-        p.edges.back().i = i;
-        p.edges.back().j = j;
+        p.edges.back().i = static_cast<std::int32_t>(i);
+        p.edges.back().j = static_cast<std::int32_t>(j);
         if (options.periodic) p.branch.push_back(apart);
       }
     }
@@ -178,6 +187,7 @@ inline ClusterSample random_cluster(const ClusterOptions& options, Dice& dice) {
     p.held.push_back(0);
   }
   join_near_spheres(options, sample);
+  if (options.placed) p.position = sample.position;
   p.has_axes = options.periodic;
   if (options.periodic) p.axis_held = {false, false, false};
   double squares = 0.0;

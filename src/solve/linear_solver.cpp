@@ -1,0 +1,108 @@
+#include "solve/linear_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "solve/block_jacobi.hpp"
+
+namespace frit::solve {
+namespace {
+
+// A sparse factor of more bodies than this takes more memory and time than it saves.
+constexpr std::size_t most_bodies_factored = 40000;
+// A factor is renewed when a solve with it took more iterations than that.
+constexpr long most_direct_iterations = 12;
+// A coarse level is tried when block Jacobi needs more iterations for a decimal digit than this.
+constexpr double slow_rate = 30.0;
+// Work of one iteration with the coarse level, and of its set-up, in iterations of block Jacobi.
+constexpr double coarse_iteration = 1.3;
+
+std::size_t cluster_size(std::size_t bodies) {
+  if (bodies > 400000) return 256;
+  return bodies > 50000 ? 128 : 64;
+}
+
+double digits(const LinearReport& report) {
+  return std::max(0.1, -std::log10(std::max(report.relative_residual, 1e-16)));
+}
+
+}  // namespace
+
+LinearSolver::LinearSolver(const Problem& problem) : problem_(problem) {
+  const bool has_places = problem.position.size() == problem.bodies();
+  if (has_places && problem.bodies() <= most_bodies_factored && is_central(problem)) {
+    direct_ = std::make_unique<CentralFactor>(problem);
+  }
+}
+
+void LinearSolver::add_product(const Linearisation& place, std::span<const double> x,
+                               std::span<double> sum) const {
+  TangentOperator<double> matrix(problem_, place.at, place.penalty, place.stiffness);
+  std::vector<double> product(x.size());
+  matrix.apply(x, product);
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += product[n];
+}
+
+LinearReport LinearSolver::solve(const Linearisation& place, std::span<const double> right_side,
+                                 const LinearOptions& options, std::vector<double>& x) {
+  if (direct_) return solve_directly(place, right_side, options, x);
+  LinearReport report;
+  if (!needs_double_) {
+    report = solve_with_levels<float>(place, right_side, options, x);
+    if (!report.stalled) return report;
+    needs_double_ = true;
+  }
+  // Single precision holds as many digits as an iteration asks for, unless stiffnesses differ by many decades
+  // (young necks beside old ones).
+  const long wasted = report.iterations;
+  report = solve_with_levels<double>(place, right_side, options, x);
+  report.iterations += wasted;
+  return report;
+}
+
+bool LinearSolver::takes_coarse_level() const {
+  if (problem_.position.size() != problem_.bodies() || problem_.bodies() < 2 * block_size) return false;
+  if (!local_rate_ || *local_rate_ < slow_rate) return false;
+  return !coarse_rate_ || *coarse_rate_ < *local_rate_;
+}
+
+template <class Real>
+LinearReport LinearSolver::solve_with_levels(const Linearisation& place, std::span<const double> right_side,
+                                             const LinearOptions& options, std::vector<double>& x) {
+  TangentOperator<Real> matrix(problem_, place.at, place.penalty, place.stiffness);
+  if (place.damping > 0.0) matrix.damp(place.damping);
+  const BlockJacobi<Real> local(matrix);
+  Preconditioner<Real> preconditioner{&local, nullptr};
+  const bool with_coarse_level = takes_coarse_level();
+  std::unique_ptr<CoarseLevel<Real>> coarse;
+  if (with_coarse_level) {
+    if (!clusters_) clusters_ = std::make_unique<Clusters>(problem_, cluster_size(problem_.bodies()));
+    coarse = std::make_unique<CoarseLevel<Real>>(*clusters_, matrix);
+    preconditioner.global = coarse.get();
+  }
+  const LinearReport report = conjugate_gradients(matrix, preconditioner, right_side, x, options);
+  const double work = static_cast<double>(report.iterations) * (with_coarse_level ? coarse_iteration : 1.0);
+  (with_coarse_level ? coarse_rate_ : local_rate_) = work / digits(report);
+  ++(with_coarse_level ? counts_.with_coarse_level : counts_.block_jacobi);
+  if (std::is_same_v<Real, double>) ++counts_.in_double;
+  return report;
+}
+
+LinearReport LinearSolver::solve_directly(const Linearisation& place, std::span<const double> right_side,
+                                          const LinearOptions& options, std::vector<double>& x) {
+  TangentOperator<double> matrix(problem_, place.at, place.penalty, place.stiffness);
+  if (place.damping > 0.0) matrix.damp(place.damping);
+  if (factored_damping_ != place.damping || direct_iterations_ > most_direct_iterations) {
+    direct_->factor(matrix);
+    factored_damping_ = place.damping;
+  }
+  const LinearReport report =
+      conjugate_gradients<double>(matrix, {nullptr, direct_.get()}, right_side, x, options);
+  direct_iterations_ = report.iterations;
+  ++counts_.factored;
+  ++counts_.in_double;
+  return report;
+}
+
+}  // namespace frit::solve
