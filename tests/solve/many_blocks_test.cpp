@@ -217,13 +217,18 @@ TEST(Damping, AddsAShareOfTheMeanStiffnessOfEveryBody) {
   const std::vector<double> v = random_direction(p, dice);
   const Eigen::VectorXd added = product(damped.matrix, v) - product(plain.matrix, v);
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(added.size());
-  for (std::size_t n = 0; n < p.bodies(); ++n) {
-    const Matrix6 block = body_block(plain.matrix, n);
-    const auto row = static_cast<Eigen::Index>(6 * n);
-    const Mat3 translation = block.topLeftCorner<3, 3>(), rotation = block.bottomRightCorner<3, 3>();
-    expected.segment<3>(row) = 0.25 * translation.trace() / 3.0 * three(v, 6 * n);
-    expected.segment<3>(row + 3) = 0.25 * rotation.trace() / 3.0 * three(v, 6 * n + 3);
-    EXPECT_NEAR(damped.matrix.resistance(n), p.mass[n] + 0.25 * translation.trace() / 3.0, 1e-12);
+  for (std::size_t begin = 0; begin < p.bodies(); begin += block_size) {
+    const std::size_t end = std::min(p.bodies(), begin + block_size);
+    const std::vector<DiagonalBlock> blocks = plain.matrix.diagonal_blocks(begin, end);
+    for (std::size_t n = begin; n < end; ++n) {
+      const double shift = 0.25 / 3.0 * blocks[n - begin].translation.trace();
+      const double spin = 0.25 / 3.0 * blocks[n - begin].rotation.trace();
+      const auto row = static_cast<Eigen::Index>(6 * n);
+      expected.segment<3>(row) = shift * three(v, 6 * n);
+      expected.segment<3>(row + 3) = spin * three(v, 6 * n + 3);
+      EXPECT_NEAR(damped.matrix.resistance(n), p.mass[n] + shift, 1e-12);
+      EXPECT_NEAR(damped.matrix.spin_resistance(n), p.moment[n] + spin, 1e-12);
+    }
   }
   clear_held(p, expected);
   EXPECT_LT((added - expected).norm(), 1e-12 * expected.norm());
