@@ -42,9 +42,8 @@ std::string end_text(const run::EndView& view) {
   const auto seconds = [&](run::Stage stage) { return view.clock.spent(stage).wall; };
   return fmt::format(
       "{}: {:.6g} s, relative density {}, {} steps, {} solver iterations, {:.3g} s of work\n"
-      "  setup {:.3g} s, search {:.3g} s, problem {:.3g} s, newton {:.3g} s, linear {:.3g} s, observe {:.3g} "
-      "s, "
-      "output {:.3g} s; {:.0f} MB",
+      "  setup {:.3g} s, search {:.3g} s, problem {:.3g} s, newton {:.3g} s, "
+      "linear {:.3g} s, observe {:.3g} s, output {:.3g} s; {:.0f} MB",
       view.ending.reason, observe::value_of(view.row, "time [s]"),
       density_text(observe::value_of(view.row, "relative_density")), totals.steps, totals.solver_iterations,
       view.clock.total().wall, seconds(run::Stage::setup), totals.times.search, totals.times.problem,

@@ -48,9 +48,6 @@ inline Lanes<Real> without_fourth(Lanes<Real> v) {
   return v;
 }
 
-inline Lanes<float> dot(Lanes<float> a, Lanes<float> b);
-inline Lanes<double> dot(Lanes<double> a, Lanes<double> b);
-
 namespace detail {
 template <class Real>
 inline Lanes<Real> dot(Lanes<Real> a, Lanes<Real> b) {

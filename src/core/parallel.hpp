@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <tbb/global_control.h>
@@ -80,6 +81,15 @@ Value ordered_sum(std::size_t count, Value zero, BlockSum&& block_sum) {
   Value total = zero;
   for (const Value& value : partial) total += value;
   return total;
+}
+
+// Scalar product, summed in order.
+inline double ordered_dot(std::span<const double> a, std::span<const double> b) {
+  return ordered_sum(a.size(), 0.0, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t n = begin; n < end; ++n) sum += a[n] * b[n];
+    return sum;
+  });
 }
 
 }  // namespace frit

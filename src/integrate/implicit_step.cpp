@@ -106,16 +106,25 @@ bool has_missed_contact(const State& to, double mean_radius) {
   });
 }
 
+// Vector from one sphere of a neck to the other, before and after a step.
+struct NeckMotion {
+  Vec3 before, after;
+};
+NeckMotion neck_motion(const State& from, const State& to, std::size_t k) {
+  const Contacts& contacts = from.contacts;
+  const auto separation = [&](const State& state) {
+    const std::vector<Vec3>& position = state.particles.position;
+    return state.cell.separation(position[static_cast<std::size_t>(contacts.i[k])],
+                                 position[static_cast<std::size_t>(contacts.j[k])], contacts.image[k]);
+  };
+  return {separation(from), separation(to)};
+}
+
 // A neck whose spheres came closer than half their distance, or swapped sides: linear kinematics has no say
 // there.
 bool has_collapsed(const State& from, const State& to) {
-  const Contacts& contacts = from.contacts;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const auto i = static_cast<std::size_t>(contacts.i[k]), j = static_cast<std::size_t>(contacts.j[k]);
-    const Vec3 before =
-        from.cell.separation(from.particles.position[i], from.particles.position[j], contacts.image[k]);
-    const Vec3 after =
-        to.cell.separation(to.particles.position[i], to.particles.position[j], contacts.image[k]);
+  for (std::size_t k = 0; k < from.contacts.size(); ++k) {
+    const auto [before, after] = neck_motion(from, to, k);
     if (after.dot(before) < 0.5 * before.squaredNorm()) return true;
   }
   return false;
@@ -123,22 +132,18 @@ bool has_collapsed(const State& from, const State& to) {
 
 // Root mean square angle [rad] by which necks turned.
 double mean_turn(const State& from, const State& to) {
-  const Contacts& contacts = from.contacts;
-  if (contacts.size() == 0) return 0.0;
-  const double squares = ordered_sum(contacts.size(), 0.0, [&](std::size_t begin, std::size_t end) {
+  const std::size_t necks = from.contacts.size();
+  if (necks == 0) return 0.0;
+  const double squares = ordered_sum(necks, 0.0, [&](std::size_t begin, std::size_t end) {
     double sum = 0.0;
     for (std::size_t k = begin; k < end; ++k) {
-      const auto i = static_cast<std::size_t>(contacts.i[k]), j = static_cast<std::size_t>(contacts.j[k]);
-      const Vec3 before =
-          from.cell.separation(from.particles.position[i], from.particles.position[j], contacts.image[k]);
-      const Vec3 after =
-          to.cell.separation(to.particles.position[i], to.particles.position[j], contacts.image[k]);
+      const auto [before, after] = neck_motion(from, to, k);
       const double angle = std::atan2(before.cross(after).norm(), before.dot(after));
       sum += angle * angle;
     }
     return sum;
   });
-  return std::sqrt(squares / static_cast<double>(contacts.size()));
+  return std::sqrt(squares / static_cast<double>(necks));
 }
 
 }  // namespace

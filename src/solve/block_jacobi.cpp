@@ -17,20 +17,26 @@ using Block = Eigen::Matrix<double, 6, 6>;
 template <class Real>
 constexpr double round_off = std::is_same_v<Real, float> ? 3e-6 : 1e-13;
 
+// Inverse of a symmetric matrix without the directions below `threshold` of the largest eigenvalue.
+template <int size>
+Eigen::Matrix<double, size, size> pseudo_inverse(const Eigen::Matrix<double, size, size>& matrix,
+                                                 double threshold) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, size, size>> eigen(matrix);
+  const auto& values = eigen.eigenvalues();
+  Eigen::Matrix<double, size, 1> inverted;
+  for (int n = 0; n < size; ++n) {
+    inverted[n] = values[n] > threshold * values[size - 1] ? 1.0 / values[n] : 0.0;
+  }
+  return eigen.eigenvectors() * inverted.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
 // Inverse of a block without the directions that resist only round-off. The metric of the inertia (rotation
 // scaled by the radius of gyration) decides what is shortest, as in the limit of vanishing inertia.
-Block pseudo_inverse(const Block& block, double gyration, double threshold) {
+Block invert_scaled(const Block& block, double gyration, double threshold) {
   Eigen::Matrix<double, 6, 1> scale;
   scale << Vec3::Ones(), Vec3::Constant(1.0 / gyration);
   const Block scaled = scale.asDiagonal() * block * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Block> eigen(scaled);
-  Eigen::Matrix<double, 6, 1> inverted;
-  for (int n = 0; n < 6; ++n) {
-    const double value = eigen.eigenvalues()[n];
-    inverted[n] = value > threshold * eigen.eigenvalues()[5] ? 1.0 / value : 0.0;
-  }
-  const Block inverse = eigen.eigenvectors() * inverted.asDiagonal() * eigen.eigenvectors().transpose();
-  return scale.asDiagonal() * inverse * scale.asDiagonal();
+  return scale.asDiagonal() * pseudo_inverse<6>(scaled, threshold) * scale.asDiagonal();
 }
 
 // Inverse by the Schur complement of the translations, for a block far from singular; false when it is not.
@@ -38,9 +44,7 @@ bool invert_clear(const DiagonalBlock& block, double clear, Block& inverse) {
   const double stiffness = block.translation.trace() / 3.0;
   if (!(block.translation.determinant() > clear * stiffness * stiffness * stiffness)) return false;
   const Mat3 flexibility = block.translation.inverse();
-  Mat3 cross;
-  const Vec3& c = block.coupling;
-  cross << 0, -c.z(), c.y(), c.z(), 0, -c.x(), -c.y(), c.x(), 0;
+  const Mat3 cross = cross_matrix(block.coupling);
   const Mat3 moved = flexibility * cross;
   const Mat3 schur = block.rotation + cross * moved;
   const double spin = block.rotation.trace() / 3.0;
@@ -62,7 +66,7 @@ Block invert(const DiagonalBlock& diagonal, double gyration, std::uint8_t held, 
     block.col(n).setZero();
   }
   if (block.diagonal().maxCoeff() <= 0.0) return Block::Zero();
-  return pseudo_inverse(block, gyration, threshold);
+  return invert_scaled(block, gyration, threshold);
 }
 
 }  // namespace
@@ -85,14 +89,7 @@ BlockJacobi<Real>::BlockJacobi(const TangentOperator<Real>& matrix)
 
 template <class Real>
 Mat3 inverse_of_axes(const TangentOperator<Real>& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(matrix.axes_block());
-  const double stiffest = eigen.eigenvalues()[2];
-  if (!(stiffest > 0.0)) return Mat3::Zero();
-  Vec3 inverted = Vec3::Zero();
-  for (int n = 0; n < 3; ++n) {
-    if (eigen.eigenvalues()[n] > 1e-13 * stiffest) inverted[n] = 1.0 / eigen.eigenvalues()[n];
-  }
-  return eigen.eigenvectors() * inverted.asDiagonal() * eigen.eigenvectors().transpose();
+  return pseudo_inverse<3>(matrix.axes_block(), round_off<double>);
 }
 
 template class BlockJacobi<float>;

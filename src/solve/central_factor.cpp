@@ -22,11 +22,11 @@ using Map = Eigen::Map<Mat3>;
 
 void add_edges(std::size_t block, const TangentOperator<double>& matrix, const LinkTable& table,
                std::vector<double>& diagonal, std::vector<double>& coupling) {
-  for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+  for (const Ends ends : all_ends) {
     for (const TangentEdge<double>& edge : matrix.edges_of(block, ends)) {
       if (edge.i == edge.j) continue;
       const auto i = static_cast<std::size_t>(edge.i), j = static_cast<std::size_t>(edge.j);
-      const Vec3 normal(edge.normal[0], edge.normal[1], edge.normal[2]);
+      const Vec3 normal = normal_of(edge);
       const Mat3 stiffness = edge.normal_excess * normal * normal.transpose();
       if (ends != Ends::second) Map(diagonal.data() + 9 * i) += stiffness;
       if (ends != Ends::first) Map(diagonal.data() + 9 * j) += stiffness;

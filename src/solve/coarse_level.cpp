@@ -13,10 +13,8 @@ using Jacobian = Eigen::Matrix<double, 3, 6>;
 
 // Motion at a contact point by a cluster's motion: displacement + turn x arm.
 Jacobian motion_at_contact(double sign, const Vec3& arm) {
-  Mat3 cross;
-  cross << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
   Jacobian jacobian;
-  jacobian << sign * Mat3::Identity(), -sign * cross;
+  jacobian << sign * Mat3::Identity(), -sign * cross_matrix(arm);
   return jacobian;
 }
 
@@ -50,7 +48,7 @@ class Assembly {
     const auto i = static_cast<std::size_t>(edge.i), j = static_cast<std::size_t>(edge.j);
     const bool i_moves = clusters_.moves(i), j_moves = clusters_.moves(j);
     if (clusters_.of(i) == clusters_.of(j) && i_moves == j_moves) return;
-    const Vec3 normal(edge.normal[0], edge.normal[1], edge.normal[2]);
+    const Vec3 normal = normal_of(edge);
     const Mat3 along = normal * normal.transpose();
     const Mat3 stiffness = double(edge.sliding) * Mat3::Identity() + double(edge.normal_excess) * along;
     const Mat3 bending = double(edge.rolling) * Mat3::Identity() + double(edge.twisting_excess) * along;
@@ -106,7 +104,7 @@ CoarseLevel<Real>::CoarseLevel(Clusters& clusters, const TangentOperator<Real>& 
   std::vector<double> coupling(36 * clusters.table().links().size(), 0.0);
   Assembly<Real> assembly(clusters, diagonal, coupling);
   for (std::size_t block = 0; block * block_size < bodies; ++block) {
-    for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+    for (const Ends ends : all_ends) {
       for (const TangentEdge<Real>& edge : matrix.edges_of(block, ends)) assembly.add(edge, ends);
     }
   }

@@ -31,11 +31,7 @@ class Iteration {
         z_(bodies_ + 1),
         p_(bodies_ + 1),
         q_(bodies_ + 1) {
-    scale_ = std::sqrt(ordered_sum(right_side.size(), 0.0, [&](std::size_t begin, std::size_t end) {
-      double sum = 0.0;
-      for (std::size_t n = begin; n < end; ++n) sum += right_side[n] * right_side[n];
-      return sum;
-    }));
+    scale_ = std::sqrt(ordered_dot(right_side, right_side));
     if (scale_ == 0.0) return;
     parallel_for(bodies_ + 1, [&](std::size_t n) { r_[n] = motion_at<Real>(right_side, n, 1.0 / scale_); });
     norms_ = update(0.0);

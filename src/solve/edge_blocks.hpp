@@ -14,7 +14,8 @@ namespace frit::solve {
 
 // Which ends of an edge lie in the block that meets it.
 enum class Ends : std::uint8_t { both = 0, first = 1, second = 2 };
-inline constexpr std::size_t kinds_of_ends = 3;
+inline constexpr std::array all_ends{Ends::both, Ends::first, Ends::second};
+inline constexpr std::size_t kinds_of_ends = all_ends.size();
 
 class EdgeBlocks {
  public:

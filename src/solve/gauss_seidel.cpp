@@ -15,12 +15,6 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Block = Eigen::Matrix<double, 6, 6>;
 using Jacobian = Eigen::Matrix<double, 3, 6>;
 
-Mat3 cross_matrix(const Vec3& v) {
-  Mat3 cross;
-  cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return cross;
-}
-
 class Sweeps {
  public:
   Sweeps(const Problem& problem, const Options& options, Solution& solution)

@@ -49,7 +49,7 @@ void Gradient::evaluate_block(std::size_t block, const Solution& at, std::span<c
   const std::size_t begin = block * block_size, end = std::min(problem_.bodies(), begin + block_size);
   for (std::size_t body = begin; body < end; ++body) start_body(body, at);
   Vec3 axes_force = Vec3::Zero();
-  for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+  for (const Ends ends : all_ends) {
     for (const std::uint32_t k : blocks_.edges(block, ends)) {
       const Edge& edge = problem_.edges[k];
       const EdgeAction action = act(problem_, k, at.motion, {kind, at.multiplier[k], penalty[k]});

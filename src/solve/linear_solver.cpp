@@ -27,6 +27,13 @@ double digits(const LinearReport& report) {
   return std::max(0.1, -std::log10(std::max(report.relative_residual, 1e-16)));
 }
 
+template <class Real>
+TangentOperator<Real> operator_at(const Problem& problem, const Linearisation& place) {
+  TangentOperator<Real> matrix(problem, place.at, place.penalty, place.stiffness);
+  if (place.damping > 0.0) matrix.damp(place.damping);
+  return matrix;
+}
+
 }  // namespace
 
 LinearSolver::LinearSolver(const Problem& problem) : problem_(problem) {
@@ -38,7 +45,9 @@ LinearSolver::LinearSolver(const Problem& problem) : problem_(problem) {
 
 void LinearSolver::add_product(const Linearisation& place, std::span<const double> x,
                                std::span<double> sum) const {
-  TangentOperator<double> matrix(problem_, place.at, place.penalty, place.stiffness);
+  Linearisation undamped = place;
+  undamped.damping = 0.0;
+  TangentOperator<double> matrix = operator_at<double>(problem_, undamped);
   std::vector<double> product(x.size());
   matrix.apply(x, product);
   for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += product[n];
@@ -70,8 +79,7 @@ bool LinearSolver::takes_coarse_level() const {
 template <class Real>
 LinearReport LinearSolver::solve_with_levels(const Linearisation& place, std::span<const double> right_side,
                                              const LinearOptions& options, std::vector<double>& x) {
-  TangentOperator<Real> matrix(problem_, place.at, place.penalty, place.stiffness);
-  if (place.damping > 0.0) matrix.damp(place.damping);
+  TangentOperator<Real> matrix = operator_at<Real>(problem_, place);
   const BlockJacobi<Real> local(matrix);
   Preconditioner<Real> preconditioner{&local, nullptr};
   const bool with_coarse_level = takes_coarse_level();
@@ -91,8 +99,7 @@ LinearReport LinearSolver::solve_with_levels(const Linearisation& place, std::sp
 
 LinearReport LinearSolver::solve_directly(const Linearisation& place, std::span<const double> right_side,
                                           const LinearOptions& options, std::vector<double>& x) {
-  TangentOperator<double> matrix(problem_, place.at, place.penalty, place.stiffness);
-  if (place.damping > 0.0) matrix.damp(place.damping);
+  TangentOperator<double> matrix = operator_at<double>(problem_, place);
   if (factored_damping_ != place.damping || direct_iterations_ > most_direct_iterations) {
     direct_->factor(matrix);
     factored_damping_ = place.damping;

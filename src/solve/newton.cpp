@@ -15,14 +15,6 @@
 namespace frit::solve {
 namespace {
 
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
-  return ordered_sum(a.size(), 0.0, [&](std::size_t begin, std::size_t end) {
-    double sum = 0.0;
-    for (std::size_t n = begin; n < end; ++n) sum += a[n] * b[n];
-    return sum;
-  });
-}
-
 class NewtonSolve {
  public:
   NewtonSolve(const Problem& problem, const Options& options, Solution& solution)
@@ -106,16 +98,17 @@ class NewtonSolve {
     double tolerance = forcing_term();
     const bool is_whole = options_.settles_mechanisms && report_.newton_iterations == 1;
     if (is_whole) {
-      const double missing = std::sqrt(dot(right_side_, right_side_));
+      const double missing = std::sqrt(ordered_dot(right_side_, right_side_));
       start_ = free_part(solution_.motion);
       linear_.add_product(place, start_, right_side_);
-      tolerance *= std::min(1.0, missing / std::sqrt(dot(right_side_, right_side_)));
+      tolerance *= std::min(1.0, missing / std::sqrt(ordered_dot(right_side_, right_side_)));
     }
     Stopwatch watch;
     const LinearReport linear =
         linear_.solve(place, right_side_, {tolerance, options_.largest_linear_iterations}, direction_);
     if (is_whole) parallel_for(direction_.size(), [&](std::size_t n) { direction_[n] -= start_[n]; });
-    const double change = dot(direction_, direction_), motion = dot(solution_.motion, solution_.motion);
+    const double change = ordered_dot(direction_, direction_),
+                 motion = ordered_dot(solution_.motion, solution_.motion);
     correction_ = change > 0.0 ? std::sqrt(change / std::max(change, motion)) : 0.0;
     report_.linear_seconds += watch.lap();
     report_.linear_iterations += linear.iterations;
@@ -142,12 +135,12 @@ class NewtonSolve {
   // The slope along the direction grows monotonically (convexity): look for where it is small.
   void search_line() {
     start_ = solution_.motion;
-    const double slope_at_start = dot(gradient_.values(), direction_);
+    const double slope_at_start = ordered_dot(gradient_.values(), direction_);
     if (!(slope_at_start < 0.0)) return move(1.0);
     double taken = 1.0;
     double low = 0.0, high = 1.0, low_slope = slope_at_start;
     move(high);
-    double high_slope = dot(gradient_.values(), direction_);
+    double high_slope = ordered_dot(gradient_.values(), direction_);
     if (high_slope <= 0.0) return adapt_damping(1.0);
     double slope = high_slope;
     // A step a little uphill is usually the shortest way; when it is not, iterates may cycle far from the
@@ -160,7 +153,7 @@ class NewtonSolve {
       const double length = std::clamp(chord, low + 0.02 * (high - low), high - 0.02 * (high - low));
       move(length);
       taken = length;
-      slope = dot(gradient_.values(), direction_);
+      slope = ordered_dot(gradient_.values(), direction_);
       // The end that stays counts half (Illinois), so that both ends close in.
       if (slope > 0.0) {
         high = length;

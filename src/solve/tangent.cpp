@@ -85,7 +85,7 @@ void add_end(const Vec3& normal, double signed_arm, double sliding, double exces
 
 template <class Real>
 void add_edge(const TangentEdge<Real>& edge, bool is_second, DiagonalBlock& block) {
-  const Vec3 normal(edge.normal[0], edge.normal[1], edge.normal[2]);
+  const Vec3 normal = normal_of(edge);
   const double sliding = edge.sliding;
   if (edge.i == edge.j) {  // its own copy: translations cancel, both arms turn together
     if (is_second) return;
@@ -101,8 +101,7 @@ void add_edge(const TangentEdge<Real>& edge, bool is_second, DiagonalBlock& bloc
 }  // namespace
 
 Eigen::Matrix<double, 6, 6> DiagonalBlock::full() const {
-  Mat3 cross;
-  cross << 0, -coupling.z(), coupling.y(), coupling.z(), 0, -coupling.x(), -coupling.y(), coupling.x(), 0;
+  const Mat3 cross = cross_matrix(coupling);
   Eigen::Matrix<double, 6, 6> block;
   block << translation, -cross, cross, rotation;
   return block;
@@ -123,7 +122,7 @@ TangentOperator<Real>::TangentOperator(const Problem& problem, const Gradient& a
   parallel_blocks(problem.bodies(), [&](std::size_t begin, std::size_t) {
     const std::size_t block = begin / block_size;
     fill(block, at, penalty, kind);
-    for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+    for (const Ends ends : all_ends) {
       for (const TangentEdge<Real>& edge : edges_of(block, ends)) {
         if (edge.rolling != Real(0) || edge.twisting_excess != Real(0)) bends[block] = 1;
       }
@@ -137,7 +136,7 @@ TangentOperator<Real>::TangentOperator(const Problem& problem, const Gradient& a
 template <class Real>
 void TangentOperator<Real>::fill(std::size_t block, const Gradient& at, std::span<const double> penalty,
                                  Stiffness kind) {
-  for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+  for (const Ends ends : all_ends) {
     std::size_t next = blocks_.begin(block, ends);
     for (const std::uint32_t k : blocks_.edges(block, ends)) {
       const Edge& edge = problem_.edges[k];
@@ -174,7 +173,7 @@ double TangentOperator<Real>::apply_block(std::size_t block, const Motion<Real>*
   }
   const Lanes<Real> axes = in[problem_.bodies()].u;
   Lanes<Real> axes_force{};
-  for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+  for (const Ends ends : all_ends) {
     const std::size_t start = blocks_.begin(block, ends);
     const std::span<const TangentEdge<Real>> list = edges_of(block, ends);
     for (std::size_t n = 0; n < list.size(); ++n) {
@@ -251,7 +250,7 @@ std::vector<DiagonalBlock> TangentOperator<Real>::diagonal_blocks(std::size_t be
     diagonal[n - begin].translation = double(resistance_[n]) * Mat3::Identity();
     diagonal[n - begin].rotation = double(spin_resistance_[n]) * Mat3::Identity();
   }
-  for (const Ends ends : {Ends::both, Ends::first, Ends::second}) {
+  for (const Ends ends : all_ends) {
     for (const TangentEdge<Real>& edge : edges_of(begin / block_size, ends)) {
       if (ends != Ends::second) add_edge(edge, false, diagonal[static_cast<std::size_t>(edge.i) - begin]);
       if (ends != Ends::first) add_edge(edge, true, diagonal[static_cast<std::size_t>(edge.j) - begin]);
@@ -269,7 +268,7 @@ Mat3 TangentOperator<Real>::axes_block() const {
       const std::size_t start = blocks_.begin(part, ends);
       const std::span<const TangentEdge<Real>> list = edges_of(part, ends);
       for (std::size_t n = 0; n < list.size(); ++n) {
-        const Vec3 normal(list[n].normal[0], list[n].normal[1], list[n].normal[2]);
+        const Vec3 normal = normal_of(list[n]);
         const Vec3 branch = to_vec3(branch_[start + n]), along = branch.cwiseProduct(normal);
         block += double(list[n].normal_excess) * along * along.transpose();
         block.diagonal() += double(list[n].sliding) * branch.cwiseAbs2();

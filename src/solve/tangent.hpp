@@ -24,6 +24,11 @@ struct alignas(Lanes<Real>) TangentEdge {
   std::int32_t i, j;
 };
 
+template <class Real>
+Vec3 normal_of(const TangentEdge<Real>& edge) {
+  return to_vec3(load(edge.normal));
+}
+
 // How the viscous part of a neck enters: by its tangent, or (far from the solution) guarded against the
 // overshoot of Newton's method on a cubic.
 enum class Stiffness { tangent, guarded };
