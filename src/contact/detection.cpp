@@ -111,13 +111,15 @@ void merge_births(Contacts& contacts, std::vector<Birth>& births, double time) {
   contacts = std::move(merged);
 }
 
-// Cracks that closed again or opened beyond touching are forgotten; new ones are put in order.
+bool is_before(const Birth& birth, const Pair& pair) { return before(birth.pair, pair); }
+
+// Cracks that closed again or opened beyond touching are forgotten; new ones are put in order. Births are.
 void renew_cracks(State& state, const std::vector<Birth>& births, const std::vector<Birth>& parted) {
   std::vector<Birth> kept = parted;
   for (std::size_t n = 0; n < state.cracks.size(); ++n) {
     const Pair pair = pair_at(state.cracks, n);
-    const bool closed =
-        std::any_of(births.begin(), births.end(), [&](const Birth& b) { return b.pair == pair; });
+    const auto birth = std::lower_bound(births.begin(), births.end(), pair, is_before);
+    const bool closed = birth != births.end() && birth->pair == pair;
     if (!closed && overlap_of(state, pair) > 0.0)
       kept.push_back({pair, 0.0, state.cracks.overlap_when_parted[n]});
   }
@@ -191,8 +193,7 @@ void use_given_contacts(State& state, const SinteringLaw& law, const GivenNecks&
   for (const Birth& birth : births) append(state.contacts, birth, 0.0);
   state.cracks = {};
   for (const Pair& pair : neighbor::find_pairs(state.particles, state.cell, 0.0)) {
-    const auto listed = std::lower_bound(births.begin(), births.end(), pair,
-                                         [](const Birth& b, const Pair& p) { return before(b.pair, p); });
+    const auto listed = std::lower_bound(births.begin(), births.end(), pair, is_before);
     if (listed != births.end() && listed->pair == pair) continue;
     state.cracks.add(pair.i, pair.j, pair.image, overlap_of(state, pair));
   }
@@ -223,6 +224,8 @@ ContactChanges update_contacts(State& state, const SinteringLaw& law, std::span<
     if (pressed < least_pressed(law, prospect, pairing)) continue;
     births.push_back({prospect.pair, born_neck_squared(law, pairing, pressed), overlap});
   }
+  std::sort(births.begin(), births.end(),
+            [](const Birth& a, const Birth& b) { return before(a.pair, b.pair); });
   renew_cracks(state, births, parted);
   merge_births(state.contacts, births, state.time);
   return {static_cast<int>(births.size()), static_cast<int>(parted.size())};

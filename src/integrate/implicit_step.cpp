@@ -14,8 +14,11 @@ namespace {
 
 using ConstVec = Eigen::Map<const Vec3>;
 
-// Prospects are looked for within this share of the mean radius; a step that needs more looks again.
+// Prospects are looked for within this share of the mean radius; pairs that meet from further off are added
+// when they did.
 constexpr double usual_reach = 0.1;
+constexpr int most_searches = 8;
+// From further off than this they may as well have passed through others on their way.
 constexpr double largest_reach = 1.7;
 constexpr long most_sweeps = 50000;  // of the Gauss-Seidel solver
 // Below this mean approach (in mean radii) a step changes nothing that an accuracy could be asked of.
@@ -98,12 +101,15 @@ network::Conditions conditions_of(const StepSettings& settings, const Furnace& f
   return conditions;
 }
 
-// A pair that overlaps at the end although it was no prospect: the step reached too far.
-bool has_missed_contact(const State& to, double mean_radius) {
-  const std::vector<contact::Prospect> overlapping = contact::find_prospects(to, 0.0);
-  return std::any_of(overlapping.begin(), overlapping.end(), [&](const contact::Prospect& prospect) {
-    return prospect.gap < -1e-9 * mean_radius && prospect.touching == 0.0;
-  });
+// Pairs that overlap at the end although they were no prospects: some bodies moved further than was looked.
+std::vector<contact::Prospect> missed_prospects(const State& from, const State& to, double mean_radius) {
+  std::vector<contact::Prospect> missed;
+  for (contact::Prospect prospect : contact::find_prospects(to, 0.0)) {
+    if (prospect.gap >= -1e-9 * mean_radius || prospect.touching != 0.0) continue;
+    prospect.gap = -contact::overlap_of(from, prospect.pair);
+    missed.push_back(prospect);
+  }
+  return missed;
 }
 
 // Vector from one sphere of a neck to the other, before and after a step.
@@ -164,28 +170,13 @@ std::string_view to_text(Verdict verdict) {
 
 struct ImplicitStep::Passes {
   solve::Problem problem;
-  solve::Solution solution;
+  solve::Solution estimate, solution;  // result of the first pass, of the second
 };
 
-bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solution* estimate,
-                              double tolerance, Passes& passes, StepReport& report) {
+bool ImplicitStep::solve_pass(const solve::Options& options, solve::Solution start, Passes& passes,
+                              StepReport& report) {
   Stopwatch watch;
-  passes.problem = {};  // its memory, before the next one takes as much
-  passes.problem = network::make_problem(input, estimate);
-  solve::Solution start;
-  if (estimate == nullptr) {
-    start = network::make_start(input, passes.problem);
-    predict(input, start);
-  } else {
-    start = *estimate;
-  }
   passes.solution = start;
-  report.times.problem += watch.lap();
-  solve::Options options;
-  options.tolerance = tolerance;
-  options.mechanisms_at_rest = settings_.inertia == network::Inertia::overdamped;
-  options.settles_mechanisms = options.mechanisms_at_rest && estimate == nullptr;
-  if (settings_.solver == Solver::gauss_seidel) options.largest_linear_iterations = most_sweeps;
   const solve::Report solved = settings_.solver == Solver::gauss_seidel
                                    ? solve::solve_gauss_seidel(passes.problem, options, passes.solution)
                                    : solve::solve_newton(passes.problem, options, passes.solution);
@@ -196,17 +187,46 @@ bool ImplicitStep::solve_pass(const network::StepInput& input, const solve::Solu
   report.newton_iterations += solved.newton_iterations;
   report.linear_iterations += solved.linear_iterations;
   report.residual = solved.residual;
-  if (!solved.converged) failed_ = Failed{passes.problem, start};
+  if (!solved.converged) failed_ = Failed{passes.problem, std::move(start)};
   return solved.converged;
 }
 
-// First with the geometry of the start and no attraction of necks born within the step, then with the
-// geometry of mid-step and that attraction: a first and a second order result. The relative error of the
-// second is of the order of the square of their relative difference (theory.md, section 5; measured in
-// docs/performance.md).
+solve::Options ImplicitStep::options(double tolerance) const {
+  solve::Options options;
+  options.tolerance = tolerance;
+  options.mechanisms_at_rest = settings_.inertia == network::Inertia::overdamped;
+  if (settings_.solver == Solver::gauss_seidel) options.largest_linear_iterations = most_sweeps;
+  return options;
+}
+
+// With the geometry of the start and no attraction of necks born within the step.
+bool ImplicitStep::solve_first(const network::StepInput& input, Passes& passes, StepReport& report) {
+  Stopwatch watch;
+  passes.problem = network::make_problem(input, nullptr);
+  solve::Solution start = network::make_start(input, passes.problem);
+  predict(input, start);
+  report.times.problem += watch.lap();
+  solve::Options rough = options(std::max(settings_.tolerance, 0.03 * settings_.accuracy));
+  rough.settles_mechanisms = rough.mechanisms_at_rest;
+  return solve_pass(rough, std::move(start), passes, report);
+}
+
+// With the geometry of mid-step as the first pass has it, and that attraction. `start` may lack multipliers
+// of prospects that were not yet known.
+bool ImplicitStep::solve_second(const network::StepInput& input, solve::Solution start, Passes& passes,
+                                StepReport& report) {
+  Stopwatch watch;
+  passes.problem = {};  // its memory, before the next one takes as much
+  passes.problem = network::make_problem(input, &passes.estimate);
+  start.multiplier.resize(passes.problem.edges.size(), 0.0);
+  report.times.problem += watch.lap();
+  return solve_pass(options(settings_.tolerance), std::move(start), passes, report);
+}
+
+// A first and a second order result. The relative error of the second is of the order of the square of their
+// relative difference (theory.md, section 5; measured in docs/performance.md).
 bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, StepReport& report) {
-  const double rough = std::max(settings_.tolerance, 0.03 * settings_.accuracy);
-  if (!solve_pass(input, nullptr, rough, passes, report)) return false;
+  if (!solve_first(input, passes, report)) return false;
   const std::vector<double> first = approaches(input, passes.problem, passes.solution);
   report.verdict = Verdict::moved_too_far;
   for (std::size_t k = 0; k < first.size(); ++k) {
@@ -214,8 +234,8 @@ bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, S
     if (std::abs(first[k]) > 0.5 * (edge.arm_i + edge.arm_j)) return false;
   }
   report.verdict = Verdict::not_solved;
-  const solve::Solution estimate = passes.solution;
-  if (!solve_pass(input, &estimate, settings_.tolerance, passes, report)) return false;
+  passes.estimate = passes.solution;
+  if (!solve_second(input, passes.estimate, passes, report)) return false;
   const std::vector<double> second = approaches(input, passes.problem, passes.solution);
   report.progress = mean_magnitude(second);
   const double difference = mean_difference(first, second) / std::max(report.progress, least_progress);
@@ -257,42 +277,57 @@ void ImplicitStep::move(const network::StepInput& input, const Passes& passes, S
   to.temperature = furnace_.temperature(to.time);
 }
 
+bool ImplicitStep::has_run_off(const State& from, const State& to) const {
+  if (has_collapsed(from, to)) return true;
+  const bool is_from_rest = settings_.inertia == network::Inertia::overdamped && !settings_.strain_rate;
+  return is_from_rest && mean_turn(from, to) > largest_turn;
+}
+
+// Births and deaths count at the end of the step only: half a step late on average.
+void ImplicitStep::judge_error(const State& from, StepReport& report) const {
+  const bool is_born_late = settings_.law.closing == contact::Closing::rigid;
+  const int late = report.changes.broken + (is_born_late ? report.changes.born : 0);
+  if (late > 0) {
+    const double share = late / static_cast<double>(std::max<std::size_t>(1, from.contacts.size()));
+    report.error += 0.5 * share * std::min(1.0, report.progress / noticed_progress);
+  }
+  const bool accurate = !settings_.error_controls_step || report.error <= settings_.accuracy;
+  report.verdict = accurate ? Verdict::accepted : Verdict::inaccurate;
+}
+
 StepReport ImplicitStep::attempt(const State& from, double duration, State& to) {
   StepReport report;
   report.duration = duration;
   const network::Scale scale = network::scale_of(from.particles, settings_.law);
   const network::Conditions conditions = conditions_of(settings_, furnace_, from.time, duration);
-  for (double reach = usual_reach; reach <= largest_reach; reach *= 2.0) {
-    Stopwatch watch;
-    const std::vector<contact::Prospect> prospects = contact::find_prospects(from, reach * scale.length);
-    report.times.search += watch.lap();
+  Stopwatch watch;
+  std::vector<contact::Prospect> prospects = contact::find_prospects(from, usual_reach * scale.length);
+  report.times.search += watch.lap();
+  Passes passes;
+  for (int search = 0; search < most_searches; ++search) {
     const network::StepInput input{from, settings_.law, prospects, conditions, scale};
-    Passes passes;
     report.verdict = Verdict::not_solved;
-    if (!solve_both(input, passes, report)) return report;
-    watch.lap();
+    const bool is_solved = search == 0 ? solve_both(input, passes, report)
+                                       : solve_second(input, passes.solution, passes, report);
+    if (!is_solved) return report;
     State next = from;
     move(input, passes, next);
-    if (has_collapsed(from, next)) break;
-    const bool is_from_rest = settings_.inertia == network::Inertia::overdamped && !settings_.strain_rate;
-    if (is_from_rest && mean_turn(from, next) > largest_turn) break;
+    report.verdict = Verdict::moved_too_far;
+    if (has_run_off(from, next)) return report;
+    watch.lap();
     report.changes = contact::update_contacts(next, settings_.law, prospects);
-    const bool is_short = has_missed_contact(next, scale.length);
+    const std::vector<contact::Prospect> missed = missed_prospects(from, next, scale.length);
     report.times.search += watch.lap();
-    if (is_short) continue;
-    // These count at the end of the step only: half a step late on average.
-    const bool is_born_late = settings_.law.closing == contact::Closing::rigid;
-    const int late = report.changes.broken + (is_born_late ? report.changes.born : 0);
-    if (late > 0) {
-      const double share = late / static_cast<double>(std::max<std::size_t>(1, from.contacts.size()));
-      report.error += 0.5 * share * std::min(1.0, report.progress / noticed_progress);
+    if (missed.empty()) {
+      judge_error(from, report);
+      if (report.verdict == Verdict::accepted) to = std::move(next);
+      return report;
     }
-    const bool accurate = !settings_.error_controls_step || report.error <= settings_.accuracy;
-    report.verdict = accurate ? Verdict::accepted : Verdict::inaccurate;
-    if (accurate) to = std::move(next);
-    return report;
+    for (const contact::Prospect& prospect : missed) {
+      if (prospect.gap > largest_reach * scale.length) return report;
+    }
+    prospects.insert(prospects.end(), missed.begin(), missed.end());
   }
-  report.verdict = Verdict::moved_too_far;
   return report;
 }
 

@@ -85,9 +85,14 @@ class ImplicitStep {
 
  private:
   struct Passes;
-  bool solve_pass(const network::StepInput& input, const solve::Solution* estimate, double tolerance,
-                  Passes& passes, StepReport& report);
+  solve::Options options(double tolerance) const;
+  bool solve_pass(const solve::Options& options, solve::Solution start, Passes& passes, StepReport& report);
+  bool solve_first(const network::StepInput& input, Passes& passes, StepReport& report);
+  bool solve_second(const network::StepInput& input, solve::Solution start, Passes& passes,
+                    StepReport& report);
   bool solve_both(const network::StepInput& input, Passes& passes, StepReport& report);
+  bool has_run_off(const State& from, const State& to) const;
+  void judge_error(const State& from, StepReport& report) const;
   void move(const network::StepInput& input, const Passes& passes, State& to) const;
 
   const StepSettings settings_;

@@ -29,7 +29,7 @@ double digits(const LinearReport& report) {
 
 template <class Real>
 TangentOperator<Real> operator_at(const Problem& problem, const Linearisation& place) {
-  TangentOperator<Real> matrix(problem, place.at, place.penalty, place.stiffness);
+  TangentOperator<Real> matrix(problem, place.blocks, place.normal_stiffness);
   if (place.damping > 0.0) matrix.damp(place.damping);
   return matrix;
 }
@@ -56,15 +56,18 @@ void LinearSolver::add_product(const Linearisation& place, std::span<const doubl
 LinearReport LinearSolver::solve(const Linearisation& place, std::span<const double> right_side,
                                  const LinearOptions& options, std::vector<double>& x) {
   if (direct_) return solve_directly(place, right_side, options, x);
-  LinearReport report;
-  if (!needs_double_) {
-    report = solve_with_levels<float>(place, right_side, options, x);
-    if (!report.stalled) return report;
-    needs_double_ = true;
-  }
   // Single precision holds as many digits as an iteration asks for, unless stiffnesses differ by many decades
-  // (young necks beside old ones).
-  const long wasted = report.iterations;
+  // (young necks beside old ones); the coarse level takes most of such a spread away.
+  LinearReport report;
+  long wasted = 0;
+  while (!needs_double_) {
+    const bool with_coarse_level = takes_coarse_level();
+    report = solve_with_levels<float>(place, right_side, options, x);
+    report.iterations += wasted;
+    if (!report.stalled) return report;
+    wasted = report.iterations;
+    needs_double_ = with_coarse_level || !takes_coarse_level();
+  }
   report = solve_with_levels<double>(place, right_side, options, x);
   report.iterations += wasted;
   return report;

@@ -9,16 +9,14 @@
 #include "solve/central_factor.hpp"
 #include "solve/coarse_level.hpp"
 #include "solve/conjugate_gradients.hpp"
-#include "solve/gradient.hpp"
 #include "solve/problem.hpp"
 
 namespace frit::solve {
 
-// The operator's place: where the gradient was evaluated, and how.
+// What makes the operator (tangent.hpp).
 struct Linearisation {
-  const Gradient& at;
-  std::span<const double> penalty;
-  Stiffness stiffness;
+  const EdgeBlocks& blocks;
+  std::span<const double> normal_stiffness;
   double damping = 0.0;  // TangentOperator::damp
 };
 

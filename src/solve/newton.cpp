@@ -10,6 +10,8 @@
 #include "core/stopwatch.hpp"
 #include "solve/gradient.hpp"
 #include "solve/linear_solver.hpp"
+#include "solve/normal_stiffness.hpp"
+#include "solve/patch.hpp"
 #include "solve/rigid_modes.hpp"
 
 namespace frit::solve {
@@ -26,7 +28,9 @@ class NewtonSolve {
         stiff_penalty_(reference_penalty(problem, options.penalty_factor)),
         linear_(problem),
         opens_freely_(std::any_of(problem.edges.begin(), problem.edges.end(),
-                                  [](const Edge& edge) { return edge.response.opens_freely; })) {}
+                                  [](const Edge& edge) { return edge.response.opens_freely; })),
+        most_whole_solves_(is_central(problem) ? 1 : 8),
+        unsettled_(options.settles_mechanisms ? 1.0 : 0.0) {}
 
   Report run() {
     balance();
@@ -41,6 +45,7 @@ class NewtonSolve {
       compute_direction();
       search_line();
       if (opens_freely_) balance();
+      settle_few({0.05 * residual_.force, 0.5 * residual_.force});
     }
     solution_.multiplier = gradient_.multiplier();
     balance_momentum(problem_, find_clusters(problem_, solution_), solution_);
@@ -51,6 +56,47 @@ class NewtonSolve {
   // Rigid motions of free clusters; while necks open the clusters they part change from iterate to iterate.
   void balance() {
     balance_momentum(problem_, find_clusters(problem_, solution_), solution_);
+    evaluate();
+  }
+
+  // A few bodies may be far from balance while all others are near it (a contact that closes, a grain that is
+  // hardly held): the larger the packing, the more surely. They are settled among their neighbours, without
+  // a solve for everything else (docs/decisions/0012). `rest`: what may remain of the residual. False: there
+  // are no such few.
+  bool settle_few(Rest rest) {
+    if (problem_.bodies() < least_bodies_for_patches || finished()) return false;
+    const double unit = problem_.force_unit;
+    const std::vector<std::uint32_t> few =
+        unbalanced_few(gradient_.values(), problem_.bodies(), {unit * rest.wanted, unit * rest.acceptable});
+    if (few.empty()) return false;
+    if (!patches_) patches_ = std::make_unique<PatchMaker>(problem_);
+    const Patch patch = patches_->around(few, rings_around_few);
+    Solution part = taken_from(solution_, patch);
+    Options options = options_;
+    options.tolerance = std::max(0.3 * options_.tolerance, rest.wanted);
+    options.largest_newton_iterations = most_patch_iterations;
+    options.settles_mechanisms = false;
+    const Report settled = NewtonSolve(patch.problem, options, part).run();
+    report_.linear_seconds += settled.linear_seconds;
+    ++report_.patches;
+    put_back(part, patch, solution_);
+    evaluate_again();
+    return true;
+  }
+
+  // A whole step that is right for all but a few, which make it look too long.
+  bool is_right_but_for_few(double force_before) {
+    const Solution whole_step = solution_;
+    if (!settle_few({0.1 * force_before, 0.4 * force_before})) return false;
+    if (residual_.force < 0.5 * force_before) return true;
+    solution_ = whole_step;
+    evaluate_again();
+    return false;
+  }
+
+  // After a change that is no iteration of its own.
+  void evaluate_again() {
+    report_.history.pop_back();
     evaluate();
   }
 
@@ -67,7 +113,8 @@ class NewtonSolve {
 
   bool finished() {
     if (!std::isfinite(report_.residual)) return true;
-    report_.converged = residual_.worst() <= options_.tolerance && has_small_correction();
+    report_.converged = residual_.worst() <= options_.tolerance && has_small_correction() &&
+                        (most_whole_solves_ == 1 || is_settled());
     return report_.converged || report_.newton_iterations >= options_.largest_newton_iterations ||
            report_.multiplier_updates >= 3 * options_.largest_newton_iterations;
   }
@@ -87,22 +134,18 @@ class NewtonSolve {
     return std::min(0.5, std::max(step, 0.3 * options_.tolerance) / residual_.force);
   }
 
-  // The first solve is for the whole motion and not for what the start lacks: what the start has of
-  // mechanisms, which no force sees, does not survive it (docs/decisions/0011).
+  // The first solves are for the whole motion and not for what the start lacks: what the start has of
+  // mechanisms, which no force sees, does not survive them (docs/decisions/0011).
   void compute_direction() {
-    const Stiffness stiffness = residual_.force > far_from_solution ? Stiffness::guarded : Stiffness::tangent;
-    const Linearisation place{gradient_, stiff_penalty_, stiffness, damping_};
+    const Stiffness kind = residual_.force > far_from_solution ? Stiffness::guarded : Stiffness::tangent;
+    const std::vector<double> stiffness = normal_stiffness(problem_, gradient_, stiff_penalty_, kind);
+    const Linearisation place{gradient_.blocks(), stiffness, damping_};
     const std::vector<double>& gradient = gradient_.values();
     right_side_.resize(problem_.unknowns());
     parallel_for(right_side_.size(), [&](std::size_t n) { right_side_[n] = -gradient[n]; });
     double tolerance = forcing_term();
-    const bool is_whole = options_.settles_mechanisms && report_.newton_iterations == 1;
-    if (is_whole) {
-      const double missing = std::sqrt(ordered_dot(right_side_, right_side_));
-      start_ = free_part(solution_.motion);
-      linear_.add_product(place, start_, right_side_);
-      tolerance *= std::min(1.0, missing / std::sqrt(ordered_dot(right_side_, right_side_)));
-    }
+    const bool is_whole = unsettled_ > negligible_share && report_.newton_iterations <= most_whole_solves_;
+    if (is_whole) tolerance = ask_for_the_whole(place, tolerance);
     Stopwatch watch;
     const LinearReport linear =
         linear_.solve(place, right_side_, {tolerance, options_.largest_linear_iterations}, direction_);
@@ -113,6 +156,21 @@ class NewtonSolve {
     report_.linear_seconds += watch.lap();
     report_.linear_iterations += linear.iterations;
     report_.linear_solves = linear_.counts();
+  }
+
+  // Changes the right side to that of the whole motion; returns the relative tolerance that leaves as much as
+  // the given one would have left of what is missing.
+  double ask_for_the_whole(const Linearisation& place, double tolerance) {
+    const double missing = std::sqrt(ordered_dot(right_side_, right_side_));
+    start_ = free_part(solution_.motion);
+    linear_.add_product(place, start_, right_side_);
+    const double whole = std::sqrt(ordered_dot(right_side_, right_side_));
+    const double left = std::max(tolerance * missing, 0.1 * options_.tolerance * problem_.force_unit);
+    return whole > 0.0 ? std::min(0.5, left / whole) : 0.5;
+  }
+
+  bool is_settled() const {
+    return unsettled_ <= negligible_share || report_.newton_iterations >= most_whole_solves_;
   }
 
   std::vector<double> free_part(std::vector<double> motion) const {
@@ -135,13 +193,17 @@ class NewtonSolve {
   // The slope along the direction grows monotonically (convexity): look for where it is small.
   void search_line() {
     start_ = solution_.motion;
+    const double force_at_start = residual_.force;
     const double slope_at_start = ordered_dot(gradient_.values(), direction_);
-    if (!(slope_at_start < 0.0)) return move(1.0);
+    if (!(slope_at_start < 0.0)) {
+      move(1.0);
+      return adapt_damping(1.0);
+    }
     double taken = 1.0;
     double low = 0.0, high = 1.0, low_slope = slope_at_start;
     move(high);
     double high_slope = ordered_dot(gradient_.values(), direction_);
-    if (high_slope <= 0.0) return adapt_damping(1.0);
+    if (high_slope <= 0.0 || is_right_but_for_few(force_at_start)) return adapt_damping(1.0);
     double slope = high_slope;
     // A step a little uphill is usually the shortest way; when it is not, iterates may cycle far from the
     // solution.
@@ -172,6 +234,7 @@ class NewtonSolve {
   // sake of a few bodies that it throws far off, the next one holds these back and lets the others go. Not
   // for ever: long chains creep under it.
   void adapt_damping(double length) {
+    unsettled_ *= 1.0 - std::min(1.0, length);
     if (residual_.force < near_solution || report_.newton_iterations >= damped_until) {
       damping_ = 0.0;
     } else if (length < 0.3) {
@@ -183,7 +246,10 @@ class NewtonSolve {
 
   static constexpr double far_from_solution = 1e-2;
   static constexpr double near_solution = 1e-4;
+  static constexpr double negligible_share = 1e-3;
   static constexpr double least_damping = 1e-7, first_damping = 1e-3, most_damping = 0.3;
+  static constexpr std::size_t least_bodies_for_patches = 2000;
+  static constexpr int rings_around_few = 2, most_patch_iterations = 30;
   static constexpr int strict_from = 12, damped_until = 25;  // Newton iterations
 
   const Problem& problem_;
@@ -192,13 +258,17 @@ class NewtonSolve {
   Gradient gradient_;
   std::vector<double> penalty_, stiff_penalty_;
   LinearSolver linear_;
+  std::unique_ptr<PatchMaker> patches_;  // made when first needed
   bool opens_freely_;
   Residual residual_;
   double best_force_ = std::numeric_limits<double>::infinity();
   Report report_;
   std::vector<double> right_side_, direction_, start_;
   double correction_ = std::numeric_limits<double>::infinity();  // the last one's size over the motion's
-  double damping_ = 0.0;                                         // share of every body's own stiffness
+  // Central networks are settled by the stages of falling inertia: the last one may find nothing to do.
+  int most_whole_solves_;
+  double unsettled_;      // share of the start's mechanisms that is still in the motion
+  double damping_ = 0.0;  // share of every body's own stiffness
 };
 
 // Mean stiffness of a neck against its own pull [force per displacement].

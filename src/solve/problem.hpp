@@ -110,6 +110,7 @@ struct Report {
   long linear_iterations = 0;
   LinearCounts linear_solves;
   int multiplier_updates = 0;
+  int patches = 0;              // parts solved on their own (newton.cpp)
   double linear_seconds = 0.0;  // wall time in linear solves, set-up included
   double residual = 0.0;        // of the last iterate, in force units of the problem
   std::vector<double> history;  // residual before every iteration

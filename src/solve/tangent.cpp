@@ -4,40 +4,9 @@
 #include <cmath>
 
 #include "core/parallel.hpp"
-#include "solve/response.hpp"
 
 namespace frit::solve {
 namespace {
-
-// Stiffness of the viscous part: its tangent 3 viscosity growth q^2, except where Newton's method would be
-// thrown far off by it. A neck far smaller than its own pull would make it in the step (a young one), or one
-// torn in the trial motion, gets the chord to that size: the tangent overshoots on a cubic and vanishes on a
-// torn neck.
-double viscous_stiffness(const NormalResponse& r, double approach, Stiffness kind) {
-  if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
-  const double start = std::clamp(r.start, 0.0, r.cap);
-  const double q = r.start + r.growth * approach;
-  const double free_q_cubed = start * start * start + r.pull / r.viscosity;
-  const auto is_below = [&](double size) {  // size < min(cap, free q), without its cubic root
-    return size < r.cap && size * size * size < free_q_cubed;
-  };
-  const bool is_torn = r.pull > 0.0 && is_below(4.0 * q);
-  const bool is_far = kind == Stiffness::guarded && is_below(2.0 * q);
-  if (is_torn || is_far) {
-    const double free_q = std::min(r.cap, std::cbrt(free_q_cubed));
-    return r.growth * (viscous_potential(r, free_q) - viscous_potential(r, q)) / (free_q - q);
-  }
-  return viscous_tangent(r, approach);
-}
-
-// Stiffness of the normal response, multiplier included, at the approach the gradient was evaluated at.
-double normal_stiffness(const Edge& edge, double approach, double multiplier, double penalty,
-                        Stiffness kind) {
-  double stiffness = viscous_stiffness(edge.response, approach, kind);
-  const bool on_the_set = multiplier > 0.0 && multiplier < edge.response.limit;
-  if (on_the_set) stiffness += penalty;
-  return stiffness * edge.approach_scale * edge.approach_scale;
-}
 
 template <class Real>
 TangentEdge<Real> tangent_edge(const Edge& edge, double normal) {
@@ -108,10 +77,10 @@ Eigen::Matrix<double, 6, 6> DiagonalBlock::full() const {
 }
 
 template <class Real>
-TangentOperator<Real>::TangentOperator(const Problem& problem, const Gradient& at,
-                                       std::span<const double> penalty, Stiffness kind)
+TangentOperator<Real>::TangentOperator(const Problem& problem, const EdgeBlocks& blocks,
+                                       std::span<const double> normal_stiffness)
     : problem_(problem),
-      blocks_(at.blocks()),
+      blocks_(blocks),
       resistance_(problem.mass.begin(), problem.mass.end()),
       spin_resistance_(problem.moment.begin(), problem.moment.end()) {
   edges_.resize(blocks_.entries());
@@ -121,7 +90,7 @@ TangentOperator<Real>::TangentOperator(const Problem& problem, const Gradient& a
   std::vector<std::uint8_t> bends(blocks_.count(), 0);
   parallel_blocks(problem.bodies(), [&](std::size_t begin, std::size_t) {
     const std::size_t block = begin / block_size;
-    fill(block, at, penalty, kind);
+    fill(block, normal_stiffness);
     for (const Ends ends : all_ends) {
       for (const TangentEdge<Real>& edge : edges_of(block, ends)) {
         if (edge.rolling != Real(0) || edge.twisting_excess != Real(0)) bends[block] = 1;
@@ -134,13 +103,12 @@ TangentOperator<Real>::TangentOperator(const Problem& problem, const Gradient& a
 }
 
 template <class Real>
-void TangentOperator<Real>::fill(std::size_t block, const Gradient& at, std::span<const double> penalty,
-                                 Stiffness kind) {
+void TangentOperator<Real>::fill(std::size_t block, std::span<const double> normal_stiffness) {
   for (const Ends ends : all_ends) {
     std::size_t next = blocks_.begin(block, ends);
     for (const std::uint32_t k : blocks_.edges(block, ends)) {
       const Edge& edge = problem_.edges[k];
-      const double normal = normal_stiffness(edge, at.approach()[k], at.multiplier()[k], penalty[k], kind);
+      const double normal = normal_stiffness[k];
       if (normal == 0.0 && edge.sliding == 0.0 && edge.rolling == 0.0 && edge.twisting == 0.0) continue;
       edges_[next] = tangent_edge<Real>(edge, normal);
       if (problem_.has_axes) branch_[next] = lanes<Real>(problem_.branch[k]);

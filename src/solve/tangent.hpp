@@ -7,7 +7,6 @@
 
 #include "core/vec.hpp"
 #include "solve/edge_blocks.hpp"
-#include "solve/gradient.hpp"
 #include "solve/motion.hpp"
 #include "solve/problem.hpp"
 
@@ -29,10 +28,6 @@ Vec3 normal_of(const TangentEdge<Real>& edge) {
   return to_vec3(load(edge.normal));
 }
 
-// How the viscous part of a neck enters: by its tangent, or (far from the solution) guarded against the
-// overshoot of Newton's method on a cubic.
-enum class Stiffness { tangent, guarded };
-
 // A body's 6x6 diagonal block [[T, -[c]x], [[c]x, R]] with symmetric T and R.
 struct DiagonalBlock {
   Mat3 translation = Mat3::Zero();
@@ -42,13 +37,13 @@ struct DiagonalBlock {
   Eigen::Matrix<double, 6, 6> full() const;
 };
 
-// K + M at a motion: symmetric, positive (semi)definite. Edges without stiffness are left out. `Real` is the
-// precision of the edges and of the vectors it is applied to: float or double.
+// K + M: symmetric, positive (semi)definite. Edges without stiffness are left out. `Real` is the precision of
+// the edges and of the vectors it is applied to: float or double.
 template <class Real>
 class TangentOperator {
  public:
-  TangentOperator(const Problem& problem, const Gradient& at, std::span<const double> penalty,
-                  Stiffness kind);
+  // normal_stiffness: one per edge [force per normal motion].
+  TangentOperator(const Problem& problem, const EdgeBlocks& blocks, std::span<const double> normal_stiffness);
 
   // out = (K + M) in, returns in . out; both have bodies + 1 entries, the axes last. Held unknowns give 0
   // and must be 0 in `in`.
@@ -77,7 +72,7 @@ class TangentOperator {
   std::size_t list_of(std::size_t block, Ends ends) const {
     return kinds_of_ends * block + static_cast<std::size_t>(ends);
   }
-  void fill(std::size_t block, const Gradient& at, std::span<const double> penalty, Stiffness kind);
+  void fill(std::size_t block, std::span<const double> normal_stiffness);
   template <bool bends>
   double apply_block(std::size_t block, const Motion<Real>* in, Motion<Real>* out);
   void hold(std::size_t begin, std::size_t end, Motion<Real>* out) const;

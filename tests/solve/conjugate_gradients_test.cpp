@@ -6,6 +6,7 @@
 
 #include "core/parallel.hpp"
 #include "solve/dense_reference.hpp"
+#include "solve/normal_stiffness.hpp"
 #include "solve/samples.hpp"
 
 namespace frit::solve {
@@ -33,7 +34,7 @@ struct System {
  private:
   TangentOperator<double> make() {
     gradient.evaluate(Solution::at_rest(problem), penalty, Multipliers::projected);
-    return {problem, gradient, penalty, Stiffness::tangent};
+    return {problem, gradient.blocks(), normal_stiffness(problem, gradient, penalty, Stiffness::tangent)};
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include "solve/conjugate_gradients.hpp"
 #include "solve/motions.hpp"
+#include "solve/normal_stiffness.hpp"
 #include "solve/samples.hpp"
 #include "solve/sparse_cholesky.hpp"
 
@@ -78,7 +79,8 @@ struct System {
         gradient(sample.problem),
         penalty(reference_penalty(sample.problem, 1.0)),
         right_side(sample.problem.unknowns()),
-        matrix(evaluated(), gradient, penalty, Stiffness::tangent) {
+        matrix(evaluated(), gradient.blocks(),
+               normal_stiffness(sample.problem, gradient, penalty, Stiffness::tangent)) {
     for (double& value : right_side) value = dice.between(-1.0, 1.0);
     if (!sample.problem.has_axes) std::fill(right_side.end() - 3, right_side.end(), 0.0);
   }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing;
 
-Linearisation place_of(const Linearised<double>& l) { return {l.gradient, l.penalty, Stiffness::tangent}; }
+Linearisation place_of(const Linearised<double>& l) { return {l.gradient.blocks(), l.stiffness}; }
 
 // On all that moves.
 std::vector<double> random_forces(const Problem& p, Dice& dice) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solve/motions.hpp"
+#include "solve/normal_stiffness.hpp"
 #include "solve/samples.hpp"
 
 namespace frit::solve::testing {
@@ -12,6 +13,7 @@ struct Linearised {
   Solution at;
   std::vector<double> penalty;
   Gradient gradient;
+  std::vector<double> stiffness;
   TangentOperator<Real> matrix;
 
   Linearised(const Problem& p, const Solution& point)
@@ -25,7 +27,8 @@ struct Linearised {
  private:
   TangentOperator<Real> make() {
     gradient.evaluate(at, penalty, Multipliers::projected);
-    return {problem, gradient, penalty, Stiffness::tangent};
+    stiffness = normal_stiffness(problem, gradient, penalty, Stiffness::tangent);
+    return {problem, gradient.blocks(), stiffness};
   }
 };
 
