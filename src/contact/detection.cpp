@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "contact/neck_history.hpp"
 #include "core/parallel.hpp"
 
 namespace frit::contact {
@@ -59,6 +60,9 @@ void copy_contact(const Contacts& from, std::size_t k, Contacts& to) {
   to.normal_force[n] = from.normal_force[k];
   to.approach_velocity[n] = from.approach_velocity[k];
   to.sliding_velocity[n] = from.sliding_velocity[k];
+  to.rolling_path[n] = from.rolling_path[k];
+  to.twisting_path[n] = from.twisting_path[k];
+  to.sliding_path[n] = from.sliding_path[k];
 }
 
 // Neck radius squared of a contact of the packing.
@@ -215,6 +219,7 @@ std::vector<Prospect> find_prospects(const State& state, double reach) {
 }
 
 ContactChanges update_contacts(State& state, const SinteringLaw& law, std::span<const Prospect> prospects) {
+  add_step_to_paths(state);
   const std::vector<Birth> parted = grow_and_break(state, law);
   std::vector<Birth> births;
   for (const Prospect& prospect : prospects) {

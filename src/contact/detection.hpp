@@ -43,8 +43,8 @@ struct ContactChanges {
   int born = 0, broken = 0;
 };
 
-// After a step: necks grow with the distance of their spheres, thin necks break, touching prospects (in any
-// order) are born.
+// After a step: necks grow with the distance of their spheres and remember its relative motion, thin necks
+// break, touching prospects (in any order) are born.
 ContactChanges update_contacts(State& state, const SinteringLaw& law, std::span<const Prospect> prospects);
 
 }  // namespace frit::contact

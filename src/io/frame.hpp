@@ -34,9 +34,10 @@ struct Frame {
   Cell cell;
   Vec3 origin = Vec3::Zero();  // [m], lower corner of the periodic cell
   std::vector<std::int64_t> ids;
-  std::vector<Vec3> positions;     // [m]
-  std::vector<double> radii;       // [m]
-  std::vector<NamedArray> arrays;  // names: not id, position or radius, each once
+  std::vector<Vec3> positions;            // [m]
+  std::vector<double> radii;              // [m]
+  std::vector<NamedArray> arrays;         // names: not id, position or radius, each once
+  std::vector<NamedArray> file_arrays{};  // of the whole at this time, any number of entries; VTP only
 
   std::size_t size() const { return positions.size(); }
   // Whether all arrays are as long as they must be; a promise of everyone who makes a frame.

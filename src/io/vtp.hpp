@@ -42,7 +42,7 @@ inline bool PolyData::is_consistent() const {
 void write_vtp(const std::filesystem::path& path, const PolyData& data);
 
 // Particles as points: point arrays id, radius, then the frame's; file arrays TimeValue [s] and, in a
-// periodic cell, CellSize and CellOrigin [m].
+// periodic cell, CellSize and CellOrigin [m], then the frame's.
 void write_vtp(const std::filesystem::path& path, const Frame& frame);
 
 // Line from the centre of particle i to that of the periodic copy of j that it touches [m].

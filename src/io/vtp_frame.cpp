@@ -79,6 +79,7 @@ void write_vtp(const std::filesystem::path& path, const Frame& frame) {
   data.point_arrays = {NamedArray{"id", 1, frame.ids}, real_array("radius", 1, frame.radii)};
   data.point_arrays.insert(data.point_arrays.end(), frame.arrays.begin(), frame.arrays.end());
   data.file_arrays = file_arrays(frame.time, frame.cell, frame.origin);
+  data.file_arrays.insert(data.file_arrays.end(), frame.file_arrays.begin(), frame.file_arrays.end());
   write_vtp(path, data);
 }
 
@@ -121,6 +122,7 @@ Frame read_vtp_frame(const std::filesystem::path& path) {
   }
   read_file_arrays(data.file_arrays, frame);
   frame.arrays = std::move(data.point_arrays);
+  frame.file_arrays = std::move(data.file_arrays);
   check_frame(file, frame);
   return frame;
 }

@@ -20,7 +20,7 @@ using ContactFields = std::vector<Field>;   // rows as in state.contacts
 
 ParticleFields particle_fields(const Reference& reference, const State& state);
 
-// Neck radius and neck ratio are left out when the law does not give the neck radii.
+// Neck radius and neck ratio, and the resistances, are left out when the law does not give them.
 ContactFields contact_fields(const State& state, const NeckLaw& law);
 
 }  // namespace frit::observe

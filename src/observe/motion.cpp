@@ -79,7 +79,7 @@ Motion motion_since(const Reference& reference, const State& state) {
     motion.centre = mean_of(now);
     motion.rotation.setIdentity();
     motion.isotropic_stretch = std::cbrt(state.cell.volume() / reference.cell.volume());
-    motion.linear_strain = state.cell_strain;
+    motion.linear_strain = state.cell_strain - reference.cell_strain;
     return motion;
   }
   const AffineFit fit = fit_affine(reference.position, now);

@@ -22,7 +22,7 @@ AffineFit fit_affine(std::span<const Vec3> from, std::span<const Vec3> to);
 struct Motion {
   Mat3 rotation;                  // Q; NaN like the rest when the centres do not span space
   double isotropic_stretch;       // lambda = cbrt(det F)
-  Vec3 linear_strain;             // free: diagonal of ln U; periodic: state.cell_strain
+  Vec3 linear_strain;             // free: diagonal of ln U; periodic: of the cell
   Vec3 reference_centre, centre;  // [m], means of the centres then and now
 };
 Motion motion_since(const Reference& reference, const State& state);

@@ -1,15 +1,18 @@
 #include "observe/necks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/contract.hpp"
 
 namespace frit::observe {
 namespace {
 
-template <class Range, class Predicate>
-double share_of(const Range& values, Predicate&& holds) {
-  if (values.empty()) return no_value;
+// Values that are not known (NaN) leave the share without a value.
+template <class Predicate>
+double share_of(const std::vector<double>& values, Predicate&& holds) {
+  const auto is_unknown = [](double value) { return std::isnan(value); };
+  if (values.empty() || std::any_of(values.begin(), values.end(), is_unknown)) return no_value;
   return static_cast<double>(std::count_if(values.begin(), values.end(), holds)) /
          static_cast<double>(values.size());
 }
@@ -23,6 +26,16 @@ std::vector<double> neck_ratios(const State& state, const NeckLaw& law) {
   for (std::size_t k = 0; k < ratios.size(); ++k) {
     const double r_i = radius[state.contacts.i[k]], r_j = radius[state.contacts.j[k]];
     ratios[k] = law.neck_radius[k] / equivalent_radius(r_i, r_j);
+  }
+  return ratios;
+}
+
+std::vector<double> relative_sliding(const State& state) {
+  const auto& radius = state.particles.radius;
+  const Contacts& contacts = state.contacts;
+  std::vector<double> ratios(contacts.size());
+  for (std::size_t k = 0; k < ratios.size(); ++k) {
+    ratios[k] = contacts.sliding_path[k] / equivalent_radius(radius[contacts.i[k]], radius[contacts.j[k]]);
   }
   return ratios;
 }

@@ -63,6 +63,8 @@ Reference take_reference(const State& state) {
   const auto j = renamed(state.contacts.j, same.reference_row);
   reference.neighbours = NeighbourLists(particles.size(), {i, j, state.contacts.image});
   reference.cell = state.cell;
+  reference.cell_strain = state.cell_strain;
+  for (const std::int32_t row : same.row) reference.orientation.push_back(particles.orientation[row]);
   std::vector<double> radius(particles.size());
   for (std::size_t row = 0; row < radius.size(); ++row) radius[row] = particles.radius[same.row[row]];
   const double sum = std::accumulate(radius.begin(), radius.end(), 0.0);

@@ -21,12 +21,14 @@ struct Core {
 };
 
 struct Reference {
-  std::vector<std::int64_t> id;  // ascending; its index is the "row of the reference"
-  std::vector<Vec3> position;    // [m], one per id
-  NeighbourLists neighbours;     // pairs in contact, by rows of the reference
+  std::vector<std::int64_t> id;   // ascending; its index is the "row of the reference"
+  std::vector<Vec3> position;     // [m], one per id
+  std::vector<Quat> orientation;  // one per id
+  NeighbourLists neighbours;      // pairs in contact, by rows of the reference
   Cell cell;
-  double mean_radius = 0.0;  // [m]
-  Core core;                 // empty in a periodic cell
+  Vec3 cell_strain = Vec3::Zero();  // logarithmic, of the state's account
+  double mean_radius = 0.0;         // [m]
+  Core core;                        // empty in a periodic cell
 
   std::size_t size() const { return id.size(); }
 };

@@ -56,6 +56,9 @@ Contacts reordered(const Contacts& from, const std::vector<std::int32_t>& new_ro
     to.approach_velocity[k] = from.approach_velocity[pair.from];
     const Vec3& sliding = from.sliding_velocity[pair.from];
     to.sliding_velocity[k] = pair.swapped ? Vec3(-sliding) : sliding;
+    to.rolling_path[k] = from.rolling_path[pair.from];
+    to.twisting_path[k] = from.twisting_path[pair.from];
+    to.sliding_path[k] = from.sliding_path[pair.from];
     ++k;
   }
   return to;

@@ -45,6 +45,9 @@ io::Frame particle_frame(const observe::Reference& reference, const State& order
   frame.arrays.push_back(vectors("velocity [m/s]", particles.velocity));
   frame.arrays.push_back(vectors("spin [1/s]", particles.spin));
   append_fields(observe::particle_fields(reference, ordered), frame.arrays);
+  frame.file_arrays.push_back({"temperature [K]", 1, std::vector{ordered.temperature}});
+  frame.file_arrays.push_back({"theta [m^5 s/(N s)]", 1, std::vector{ordered.theta}});
+  frame.file_arrays.push_back(vectors("cell_rate [1/s]", {ordered.cell_rate}));
   return frame;
 }
 

@@ -21,6 +21,9 @@ struct Contacts {
   std::vector<double> normal_force;         // [N], mean over the last step, > 0 repels
   std::vector<double> approach_velocity;    // [m/s], mean over the last step, > 0 approaches
   std::vector<Vec3> sliding_velocity;       // [m/s], mean over the last step
+  std::vector<double> rolling_path;   // [rad], since birth: integral of the relative spin across the normal
+  std::vector<double> twisting_path;  // [rad], since birth: the same along the normal
+  std::vector<double> sliding_path;   // [m], since birth: integral of the sliding speed
 
   std::size_t size() const { return i.size(); }
   void resize(std::size_t count) {
@@ -35,6 +38,9 @@ struct Contacts {
     normal_force.resize(count);
     approach_velocity.resize(count);
     sliding_velocity.resize(count, Vec3::Zero());
+    rolling_path.resize(count);
+    twisting_path.resize(count);
+    sliding_path.resize(count);
   }
 };
 

@@ -60,7 +60,7 @@ TEST(ObserveRow, HasTheColumnsOfTheContractInOrder) {
                                           "theta [m^5 s/(N s)]",
                                           "rearrangement_deviation_mean"};
   const Row row = Sample({.edge = 3, .jitter = 0.05, .periodic = true}).row();
-  ASSERT_EQ(row.size(), 40u);
+  ASSERT_EQ(row.size(), 56u);
   for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_EQ(row[n].name, expected[n]);
 }
 
@@ -128,8 +128,8 @@ TEST(Fields, HoldOneEntryForEachParticleAndContact) {
   for (const Field& field : fields) {
     EXPECT_EQ(field.values.size(), sample.state.contacts.size() * field.components) << field.name;
   }
-  EXPECT_EQ(fields.back().name, "neck_ratio");
-  EXPECT_EQ(contact_fields(sample.state, {}).size() + 2, fields.size());
+  EXPECT_EQ(fields.back().name, "sliding_resistance [N s/m]");
+  EXPECT_EQ(contact_fields(sample.state, {}).size() + 4, fields.size());
 }
 
 TEST(Fields, GiveTheRotationAsAxisTimesAngle) {

@@ -116,6 +116,7 @@ inline std::pair<State, std::vector<std::int32_t>> shuffle(const State& state, s
     mixed.particles.position[row] = state.particles.position[old_row[row]];
     mixed.particles.radius[row] = state.particles.radius[old_row[row]];
     mixed.particles.velocity[row] = state.particles.velocity[old_row[row]];
+    mixed.particles.orientation[row] = state.particles.orientation[old_row[row]];
   }
   for (std::size_t k = 0; k < mixed.contacts.size(); ++k) {
     auto& i = mixed.contacts.i[k] = new_row[state.contacts.i[k]];

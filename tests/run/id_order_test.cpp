@@ -26,6 +26,9 @@ State marked_state() {
     observe::samples::add_contact(state, i, j, {static_cast<std::int8_t>(i % 2), 0, -1});
     const std::size_t k = state.contacts.size() - 1;
     state.contacts.birth_time[k] = static_cast<double>(i);
+    state.contacts.rolling_path[k] = 1.0 + i;
+    state.contacts.twisting_path[k] = 2.0 + i;
+    state.contacts.sliding_path[k] = 3.0 + i;
     state.contacts.sliding_velocity[k] =
         state.cell.separation(state.particles.position[static_cast<std::size_t>(i)],
                               state.particles.position[static_cast<std::size_t>(j)], state.contacts.image[k]);
@@ -72,6 +75,10 @@ TEST(IdOrder, ContactsAndCracksStayWithTheirPair) {
   };
   EXPECT_EQ(tagged(state, state.contacts, state.contacts.birth_time),
             tagged(ordered, ordered.contacts, ordered.contacts.birth_time));
+  for (const auto path : {&Contacts::rolling_path, &Contacts::twisting_path, &Contacts::sliding_path}) {
+    EXPECT_EQ(tagged(state, state.contacts, state.contacts.*path),
+              tagged(ordered, ordered.contacts, ordered.contacts.*path));
+  }
   EXPECT_EQ(tagged(state, state.cracks, state.cracks.overlap_when_parted),
             tagged(ordered, ordered.cracks, ordered.cracks.overlap_when_parted));
 }
