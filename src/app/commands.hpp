@@ -18,6 +18,8 @@ void add_materials(CLI::App& app, Command& chosen);
 void add_pack(CLI::App& app, Command& chosen);
 void add_convert(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
-void add_planned(CLI::App& app, Command& chosen);  // resume, analyze, compare, report
+void add_analyze(CLI::App& app, Command& chosen);
+void add_compare(CLI::App& app, Command& chosen);
+void add_planned(CLI::App& app, Command& chosen);  // resume, report
 
 }  // namespace frit::app

@@ -10,10 +10,8 @@
 namespace frit::app {
 
 void add_planned(CLI::App& app, Command& chosen) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> planned{{
+  constexpr std::array<std::pair<const char*, const char*>, 2> planned{{
       {"resume", "goes on from the last checkpoint"},
-      {"analyze", "observables anew from snapshots"},
-      {"compare", "runs side by side"},
       {"report", "one HTML file about runs"},
   }};
   for (const auto& [name, purpose] : planned) {

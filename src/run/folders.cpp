@@ -16,8 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> result_files{"case.toml", "series.csv", "summary.json",
-                                                       "snapshots.pvd", "failed_problem.cbor"};
+constexpr std::array<std::string_view, 8> result_files{
+    "case.toml",           "series.csv",          "summary.json",         "snapshots.pvd",
+    "failed_problem.cbor", "analysis/series.csv", "analysis/network.csv", "analysis/distributions.json"};
 
 bool is_snapshot(const fs::path& path) {
   const std::string name = path.filename().string();

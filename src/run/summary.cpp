@@ -67,6 +67,8 @@ json summary_of(const Setup& setup, const EndView& end) {
                                            {"observe", end.clock.peak_memory(Stage::observe)},
                                            {"output", end.clock.peak_memory(Stage::output)}};
   summary["particles"] = setup.state.particles.size();
+  summary["mean_radius_m"] = setup.reference.mean_radius;
+  summary["surface_energy_J_per_m2"] = setup.settings.law.surface_energy;
   summary["seed"] = setup.whole.packing.seed;
   summary["threads"] = threads();
   summary["machine"] = {{"cpu", machine.cpu}, {"cores", machine.cores}};
