@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analyze/monotone.hpp"
 #include "core/error.hpp"
 #include "observe/statistics.hpp"
 
@@ -68,6 +69,11 @@ void check_scales(const std::vector<Result>& results) {
   if (!faults.empty()) throw InputError(faults);
 }
 
+Course course_of(const std::string& column) {
+  const bool is_time = column == "tau" || column.starts_with("time [") || column.starts_with("theta [");
+  return is_time ? Course::time_like : Course::plain;
+}
+
 // Columns that all results have, in the order of the first.
 std::vector<std::string> common_columns(const std::vector<Result>& results) {
   std::vector<std::string> columns;
@@ -85,7 +91,8 @@ Figure figure_of(const std::string& name, const Comparison& comparison,
   for (std::size_t n = 0; n < abscissas.size(); ++n) {
     const std::vector<double> column = values_of(n);
     std::vector<double> values;
-    for (const double at : comparison.points) values.push_back(value_at(abscissas[n], column, at));
+    for (const double at : comparison.points)
+      values.push_back(value_at(abscissas[n], column, course_of(name), at));
     figure.values.push_back(std::move(values));
   }
   return figure;
@@ -106,7 +113,7 @@ Abscissa abscissa_of(const Result& result, Equal equal) {
   const std::vector<double> values = equal == Equal::time ? tau_of(result)
                                      : density != nullptr ? *density
                                                           : std::vector<double>{};
-  Abscissa abscissa;
+  Abscissa abscissa{{}, {}, equal == Equal::time ? Course::time_like : Course::plain};
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (!(values[row] > highest)) continue;
@@ -117,14 +124,21 @@ Abscissa abscissa_of(const Result& result, Equal equal) {
   return abscissa;
 }
 
-double value_at(const Abscissa& abscissa, const std::vector<double>& column, double at) {
-  const auto& x = abscissa.values;
-  if (x.empty() || !(at >= x.front() && at <= x.back())) return no_value;
-  const auto above = static_cast<std::size_t>(std::ranges::lower_bound(x, at) - x.begin());
-  const double upper = column[abscissa.rows[above]];
-  if (x[above] == at) return upper;
-  const double lower = column[abscissa.rows[above - 1]];
-  return lower + (at - x[above - 1]) / (x[above] - x[above - 1]) * (upper - lower);
+double value_at(const Abscissa& abscissa, const std::vector<double>& column, Course course, double at) {
+  std::vector<double> x = abscissa.values, y;
+  for (const std::size_t row : abscissa.rows) y.push_back(column[row]);
+  if (const auto found = std::ranges::find(x, at); found != x.end()) return y[found - x.begin()];
+  const auto take_roots = [](std::vector<double>& values) {
+    std::ranges::transform(values, values.begin(), [](double value) { return std::cbrt(value); });
+  };
+  if (abscissa.course == Course::time_like) {
+    take_roots(x);
+    at = std::cbrt(at);
+  }
+  if (course == Course::plain) return interpolate_monotone(x, y, at);
+  take_roots(y);
+  const double root = interpolate_monotone(x, y, at);
+  return root * root * root;
 }
 
 Comparison compare(const std::vector<Result>& results, Equal equal) {

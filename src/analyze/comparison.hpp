@@ -11,17 +11,22 @@ namespace frit::analyze {
 
 enum class Equal { density, time };  // what is equal: relative_density, or tau = theta gamma/R^4
 
+// Values that grow with time as tau do, while shrinkage grows with its cube root (x^6 = 54 tau): the roots
+// are what is interpolated.
+enum class Course { plain, time_like };
+
 // The abscissa of a result: its rows where it is above all rows before, so that each value is met once, when
 // it was first reached.
 struct Abscissa {
   std::vector<std::size_t> rows;  // of the series
   std::vector<double> values;     // one a row, ascending
+  Course course = Course::plain;
 };
 Abscissa abscissa_of(const Result& result, Equal equal);
 
-// Value of a column where the abscissa is `at`: linear between its rows; NaN outside or next to an empty
-// cell.
-double value_at(const Abscissa& abscissa, const std::vector<double>& column, double at);
+// A column where the abscissa is `at`, by interpolate_monotone over its rows; NaN outside or next to an empty
+// cell. A time-like abscissa is taken by its cube root too.
+double value_at(const Abscissa& abscissa, const std::vector<double>& column, Course course, double at);
 
 // A quantity of all results.
 struct Figure {

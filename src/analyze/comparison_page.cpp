@@ -205,7 +205,8 @@ std::string page_of(const Comparison& comparison, const std::vector<PlotFile>& p
     page += fmt::format("![{} against {}]({}.svg)\n\n", file.plot.y_label, file.plot.x_label, file.name);
   if (comparison.points.empty()) return page + nothing_common(comparison);
   page += fmt::format(
-      "Figures at equal {}, linear between the rows of each series.csv; in brackets the difference to {}. "
+      "Figures at equal {}, interpolated between the rows of each series.csv; in brackets the difference to "
+      "{}. "
       "All "
       "columns are in compare.csv.\n\n",
       abscissa_name(comparison), comparison.names.front());
