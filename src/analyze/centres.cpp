@@ -58,7 +58,8 @@ void use_contacts(const std::filesystem::path& path, const io::Frame& frame, Mom
   };
   std::vector<std::pair<neighbor::Pair, double>> necks;
   for (std::size_t k = 0; k < table.size(); ++k) {
-    const auto [low, high] = std::minmax(row_of(table.i[k]), row_of(table.j[k]));
+    const std::int32_t one = row_of(table.i[k]), other = row_of(table.j[k]);
+    const std::int32_t low = std::min(one, other), high = std::max(one, other);
     necks.push_back({{low, high, nearest_image(moment.state, low, high)},
                      table.neck_radius.empty() ? observe::no_value : table.neck_radius[k]});
   }

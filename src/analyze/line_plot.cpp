@@ -61,7 +61,7 @@ struct Tick {
 };
 
 std::vector<Tick> linear_ticks(const Axis& axis) {
-  const double wanted = (axis.high - axis.low) / 5.0, power = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double wanted = (axis.high - axis.low) / 7.0, power = std::pow(10.0, std::floor(std::log10(wanted)));
   double step = 10.0 * power;
   for (const double factor : {5.0, 2.0, 1.0})
     if (factor * power >= wanted) step = factor * power;
