@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,7 +15,7 @@ namespace {
 struct CompareOptions {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path output = "comparison";
-  analyze::Equal equal = analyze::Equal::density;
+  std::string equal = "density";
 };
 
 // All of them, so that their faults are told together.
@@ -37,7 +36,8 @@ std::vector<analyze::Result> read_all(const std::vector<std::filesystem::path>& 
 
 int compare(const CompareOptions& options) {
   const std::vector<analyze::Result> results = read_all(options.folders);
-  const analyze::Comparison comparison = analyze::compare(results, options.equal);
+  const auto equal = options.equal == "time" ? analyze::Equal::time : analyze::Equal::density;
+  const analyze::Comparison comparison = analyze::compare(results, equal);
   analyze::write_comparison(options.output, comparison, results);
   fmt::print("{}compare.csv, compare.md and plots in {}\n", analyze::to_text(comparison),
              options.output.string());
@@ -51,12 +51,11 @@ void add_compare(CLI::App& app, Command& chosen) {
   const auto options = std::make_shared<CompareOptions>();
   command->add_option("DIR", options->folders, "folders of two or more results; differences are to the first")
       ->required();
-  const std::map<std::string, analyze::Equal> equals{{"density", analyze::Equal::density},
-                                                     {"time", analyze::Equal::time}};
   command
       ->add_option("--at", options->equal,
-                   "what is equal: density, or (dimensionless) time; default: density")
-      ->transform(CLI::CheckedTransformer(equals));
+                   "what is equal: density, or time (dimensionless); default: density")
+      ->check(CLI::IsMember({"density", "time"}))
+      ->type_name("WHAT");
   command->add_option("-o,--output", options->output, "folder for tables and plots; default: comparison");
   command->callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
 }
