@@ -135,7 +135,13 @@ TEST(Centres, WithLostParticlesAreRefusedUnlessOnlyTheCommonCount) {
   for (const Moment& moment : moments) EXPECT_EQ(moment.state.particles.size(), 215U);
   EXPECT_LT(moments[0].state.contacts.size(), moments[0].state.particles.size() * 3);
   EXPECT_EQ(moments[0].state.contacts.size(), moments[1].state.contacts.size());
-  EXPECT_EQ(moments[0].state.contacts.rolling_path.size(), moments[0].state.contacts.size());
+  const Contacts& contacts = moments[0].state.contacts;
+  EXPECT_EQ(contacts.rolling_path.size(), contacts.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    ASSERT_LT(contacts.j[k], 215);
+    const auto& x = moments[0].state.particles.position;
+    EXPECT_LT((x[contacts.j[k]] - x[contacts.i[k]]).norm(), 2.0 * R);
+  }
 }
 
 TEST(Centres, TellAllFaultsTogether) {
