@@ -43,12 +43,12 @@ std::string end_text(const run::EndView& view) {
   return fmt::format(
       "{}: {:.6g} s, relative density {}, {} steps, {} solver iterations, {:.3g} s of work\n"
       "  setup {:.3g} s, search {:.3g} s, problem {:.3g} s, newton {:.3g} s, "
-      "linear {:.3g} s, observe {:.3g} s, output {:.3g} s; {:.0f} MB",
+      "linear {:.3g} s, explicit {:.3g} s, observe {:.3g} s, output {:.3g} s; {:.0f} MB",
       view.ending.reason, observe::value_of(view.row, "time [s]"),
       density_text(observe::value_of(view.row, "relative_density")), totals.steps, totals.solver_iterations,
       view.clock.total().wall, seconds(run::Stage::setup), totals.times.search, totals.times.problem,
-      totals.times.newton, totals.times.linear, seconds(run::Stage::observe), seconds(run::Stage::output),
-      static_cast<double>(view.clock.peak_memory(run::Stage::step)) / 1e6);
+      totals.times.newton, totals.times.linear, totals.times.sweep, seconds(run::Stage::observe),
+      seconds(run::Stage::output), static_cast<double>(view.clock.peak_memory(run::Stage::step)) / 1e6);
 }
 
 // A line on the terminal that is written over and over.

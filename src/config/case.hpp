@@ -96,12 +96,13 @@ struct Method {
   MethodName name = MethodName::contact_dynamics;
   Inertia inertia = Inertia::overdamped;
   Solver solver = Solver::automatic;
-  std::optional<double> time_step;      // [s], fixed; unset: controlled by `accuracy`
+  std::optional<double> time_step;      // [s], fixed; unset: by `accuracy`, or the limit of stability
   double accuracy = 0.0;                // largest relative error of density and necks over the run
   std::optional<double> tolerance;      // relative force residual at which a step counts as solved
   std::optional<double> largest_step;   // [s]
   std::optional<double> smallest_step;  // [s]
-  double density_factor = 0.0;
+  double density_factor = 0.0;          // on the mass, explicit dynamics only
+  double cell_inertia = 0.0;            // over M L^2/12, explicit dynamics only
 };
 
 // At least one is set; whichever comes first ends the run.

@@ -68,6 +68,10 @@ class Checks {
         return periodic;
       case Applies::periodic_file:
         return periodic && file;
+      case Applies::implicit:
+        return !sound("method.name") || whole_.method.name != MethodName::verlet;
+      case Applies::verlet:
+        return !sound("method.name") || whole_.method.name == MethodName::verlet;
     }
     return true;
   }

@@ -23,6 +23,10 @@ bool is_written(const Key& key, const Case& whole) {
       return periodic;
     case Applies::periodic_file:
       return periodic && whole.packing.file.has_value();
+    case Applies::implicit:
+      return whole.method.name != MethodName::verlet;
+    case Applies::verlet:
+      return whole.method.name == MethodName::verlet;
   }
   return true;
 }

@@ -119,6 +119,10 @@ std::string applies_text(Applies applies) {
       return "only with cell.kind = \"periodic\"";
     case Applies::periodic_file:
       return "only with cell.kind = \"periodic\" and packing.file";
+    case Applies::implicit:
+      return "not with method.name = \"verlet\"";
+    case Applies::verlet:
+      return "only with method.name = \"verlet\"";
   }
   return {};
 }

@@ -41,7 +41,9 @@ enum class Applies : std::uint8_t {
   generated_packing,
   random_dense,
   periodic,
-  periodic_file
+  periodic_file,
+  implicit,  // methods that solve for their steps
+  verlet
 };
 
 enum class Edge : std::uint8_t { included, excluded };

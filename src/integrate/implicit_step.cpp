@@ -154,20 +154,6 @@ double mean_turn(const State& from, const State& to) {
 
 }  // namespace
 
-std::string_view to_text(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::accepted:
-      return "accepted";
-    case Verdict::not_solved:
-      return "the solver did not converge";
-    case Verdict::inaccurate:
-      return "the estimated error is too large";
-    case Verdict::moved_too_far:
-      return "particles moved too far in one step";
-  }
-  return "";
-}
-
 struct ImplicitStep::Passes {
   solve::Problem problem;
   solve::Solution estimate, solution;  // result of the first pass, of the second
@@ -187,7 +173,7 @@ bool ImplicitStep::solve_pass(const solve::Options& options, solve::Solution sta
   report.newton_iterations += solved.newton_iterations;
   report.linear_iterations += solved.linear_iterations;
   report.residual = solved.residual;
-  if (!solved.converged) failed_ = Failed{passes.problem, std::move(start)};
+  if (!solved.converged) failed_ = FailedSolve{passes.problem, std::move(start)};
   return solved.converged;
 }
 
@@ -295,7 +281,8 @@ void ImplicitStep::judge_error(const State& from, StepReport& report) const {
   report.verdict = accurate ? Verdict::accepted : Verdict::inaccurate;
 }
 
-StepReport ImplicitStep::attempt(const State& from, double duration, State& to) {
+StepReport ImplicitStep::attempt(const State& from, const Stretch& stretch, State& to) {
+  const double duration = stretch.duration;
   StepReport report;
   report.duration = duration;
   const network::Scale scale = network::scale_of(from.particles, settings_.law);

@@ -2,16 +2,11 @@
 // not.
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <string_view>
-#include <vector>
 
-#include "contact/detection.hpp"
+#include "integrate/stepper.hpp"
 #include "integrate/temperature.hpp"
 #include "network/step_problem.hpp"
-#include "solve/problem.hpp"
-#include "state/state.hpp"
 
 namespace frit::integrate {
 
@@ -31,57 +26,18 @@ struct StepSettings {
   std::optional<Vec3> strain_rate;  // [1/s], of a periodic cell, instead of the stress
 };
 
-enum class Verdict { accepted, not_solved, inaccurate, moved_too_far };
-std::string_view to_text(Verdict verdict);
-
-// Wall time [s] of the parts of a step; no result depends on it.
-struct StepTimes {
-  double search = 0.0;   // of pairs that may touch
-  double problem = 0.0;  // building it
-  double linear = 0.0;   // linear solves
-  double newton = 0.0;   // the rest of the solver: residuals, line search, multipliers
-
-  void add(const StepTimes& other) {
-    search += other.search;
-    problem += other.problem;
-    linear += other.linear;
-    newton += other.newton;
-  }
-};
-
-// What a step did and what it cost.
-struct StepReport {
-  Verdict verdict = Verdict::accepted;
-  double duration = 0.0;  // [s]
-  double error = 0.0;     // estimated, relative to the progress of the step
-  double progress = 0.0;  // mean magnitude of the contacts' approach / mean radius
-  double residual = 0.0;  // of the last solve
-  int solves = 0, newton_iterations = 0;
-  long linear_iterations = 0;
-  solve::LinearCounts linear_solves;
-  StepTimes times;
-  contact::ContactChanges changes;
-};
-
-// Makes steps. Holds no history: everything a step needs is in the state, so a repeated step repeats its
-// bits.
-class ImplicitStep {
+class ImplicitStep : public Stepper {
  public:
   ImplicitStep(const StepSettings& settings, const Furnace& furnace)
       : settings_(settings), furnace_(furnace) {}
 
-  // Tries a step of `duration` [s] from `from`. When accepted `to` is the next state, otherwise untouched.
-  StepReport attempt(const State& from, double duration, State& to);
+  // One step of the stretch's duration.
+  StepReport attempt(const State& from, const Stretch& stretch, State& to) override;
 
-  // A duration [s] for the first step of an automatic run: typical necks grow by a tenth.
-  double first_duration(const State& state) const;
+  // Typical necks grow by a tenth.
+  double first_duration(const State& state) const override;
 
-  // The problem of the last solve and its start, for a dump when it failed; empty before the first step.
-  struct Failed {
-    solve::Problem problem;
-    solve::Solution start;
-  };
-  const std::optional<Failed>& failed() const { return failed_; }
+  const FailedSolve* failed() const override { return failed_ ? &*failed_ : nullptr; }
 
  private:
   struct Passes;
@@ -97,7 +53,7 @@ class ImplicitStep {
 
   const StepSettings settings_;
   const Furnace& furnace_;
-  std::optional<Failed> failed_;
+  std::optional<FailedSolve> failed_;
 };
 
 }  // namespace frit::integrate

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "integrate/implicit_step.hpp"
+#include "integrate/stepper.hpp"
 
 namespace frit::integrate {
 

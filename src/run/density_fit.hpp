@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "integrate/implicit_step.hpp"
+#include "integrate/stepper.hpp"
 #include "state/state.hpp"
 
 namespace frit::run {

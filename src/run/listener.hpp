@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "integrate/implicit_step.hpp"
+#include "integrate/stepper.hpp"
 #include "observe/row.hpp"
 #include "run/setup.hpp"
 #include "run/stage_clock.hpp"
@@ -37,8 +37,8 @@ struct EndView {
   const Ending& ending;
   const observe::Row& row;  // of the last state
   const Totals& totals;
-  const StageClock& clock;                                  // entered `output`
-  const integrate::ImplicitStep::Failed* failed = nullptr;  // the problem that could not be solved, if one
+  const StageClock& clock;                         // entered `output`
+  const integrate::FailedSolve* failed = nullptr;  // the problem that could not be solved, if one
 };
 
 // Called in this order: started once, then step_made and row_written, then finished once. References hold

@@ -38,6 +38,11 @@ double Schedule::next_hit(double time) const {
   return stop_time_ && *stop_time_ <= next * (1.0 + same_time) ? *stop_time_ : next;
 }
 
+std::int64_t Schedule::steps_left(std::int64_t steps) const {
+  if (!output_.every_steps) return std::numeric_limits<std::int64_t>::max();
+  return *output_.every_steps - steps % *output_.every_steps;
+}
+
 bool Schedule::crosses_density(double density) {
   if (!output_.every_density || std::isnan(density)) return false;
   const double levels = density / *output_.every_density;

@@ -24,6 +24,9 @@ class Schedule {
   // The next time after `time` that a step must not pass; infinity without any.
   double next_hit(double time) const;
 
+  // Time steps until the next output that is asked for by their number; endless without any.
+  std::int64_t steps_left(std::int64_t steps) const;
+
   // Whether an output is due at this end of a step; remembers what has been written.
   bool is_due(const Moment& moment);
 

@@ -67,6 +67,7 @@ State make_state(const config::Case& whole, const contact::SinteringLaw& law, Fa
 
 integrate::StepLimits limits_of(const config::Method& method, double time_scale) {
   integrate::StepLimits limits;
+  if (method.name == config::MethodName::verlet) return limits;
   limits.fixed = method.time_step;
   limits.accuracy = method.accuracy;
   limits.largest = method.largest_step.value_or(limits.largest);
@@ -85,6 +86,13 @@ double time_scale_of(double mean_radius, double surface_energy, double delta_b) 
 
 double Setup::tau_of(double theta) const {
   return theta * settings.law.surface_energy / std::pow(reference.mean_radius, 4);
+}
+
+std::unique_ptr<integrate::Stepper> make_stepper(const Setup& setup) {
+  if (setup.whole.method.name == config::MethodName::verlet) {
+    return std::make_unique<integrate::VerletStep>(verlet_settings_of(setup.whole), setup.furnace);
+  }
+  return std::make_unique<integrate::ImplicitStep>(setup.settings, setup.furnace);
 }
 
 Setup make_setup(const config::Case& whole) {

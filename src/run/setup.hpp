@@ -1,12 +1,14 @@
 // From a case to everything a run starts from: state, law, furnace, limits of the step, reference.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "config/case.hpp"
 #include "integrate/implicit_step.hpp"
 #include "integrate/step_control.hpp"
+#include "integrate/stepper.hpp"
 #include "integrate/temperature.hpp"
 #include "observe/reference.hpp"
 #include "run/translate.hpp"
@@ -33,6 +35,9 @@ struct Setup {
 // Throws InputError with every fault of the packing, its contacts and its groups, and of what the case asks
 // of them.
 Setup make_setup(const config::Case& whole);
+
+// What advances the states of this run: by implicit or by explicit steps. The setup must outlive it.
+std::unique_ptr<integrate::Stepper> make_stepper(const Setup& setup);
 
 // R^4/(gamma Delta_b) [s] of the mean radius; infinity where nothing diffuses.
 double time_scale_of(double mean_radius, double surface_energy, double delta_b);

@@ -37,8 +37,8 @@ Simulation::Simulation(const Setup& setup, StageClock& clock, Interrupt interrup
     : setup_(setup),
       clock_(clock),
       interrupt_(std::move(interrupt)),
-      step_(setup.settings, setup.furnace),
-      control_(setup.limits, step_.first_duration(setup.state)),
+      stepper_(make_stepper(setup)),
+      control_(setup.limits, stepper_->first_duration(setup.state)),
       schedule_(setup.whole.output, setup.whole.stop, setup.heating.ramp_ends, setup.density),
       state_(setup.state),
       density_(setup.density),
@@ -98,7 +98,8 @@ Landing Simulation::waited(double duration) const {
 }
 
 bool Simulation::attempt(double duration, Landing& landing) {
-  landing.report = step_.attempt(state_, duration, landing.state);
+  const integrate::Stretch stretch(duration, schedule_.steps_left(totals_.steps));
+  landing.report = stepper_->attempt(state_, stretch, landing.state);
   totals_.count_attempt(landing.report);
   if (landing.report.verdict != integrate::Verdict::accepted) return false;
   landing.density = observe::relative_density(setup_.reference, landing.state);
@@ -148,12 +149,19 @@ std::optional<Ending> Simulation::advance() {
       return std::nullopt;
     }
     ++totals_.rejected_steps;
-    if (control_.is_exhausted()) return give_up();
+    if (control_.is_exhausted() || last_report_.verdict == integrate::Verdict::unstable) return give_up();
     if (const auto ended = reached_end()) return ended;
   }
 }
 
 Ending Simulation::give_up() const {
+  if (last_report_.verdict == integrate::Verdict::unstable) {
+    return {not_computed,
+            fmt::format("explicit steps of {:.3g} s became unstable between {:.6g} s and {:.6g} s: {}; "
+                        "allowed: method.time_step = \"auto\", or a shorter one",
+                        last_report_.time_step(), state_.time, state_.time + last_report_.duration,
+                        integrate::to_text(last_report_.verdict))};
+  }
   return {not_computed,
           fmt::format("the step at {:.6g} s cannot be made, not even with {:.3g} s: {}", state_.time,
                       last_report_.duration, integrate::to_text(last_report_.verdict))};
@@ -183,7 +191,7 @@ void Simulation::finish(const Ending& ending, std::span<RunListener* const> list
   clock_.enter(Stage::output);
   EndView view{ending, row_, totals_, clock_};
   const bool unsolved = ending.code == not_computed && last_report_.verdict == integrate::Verdict::not_solved;
-  if (unsolved && step_.failed()) view.failed = &*step_.failed();
+  if (unsolved) view.failed = stepper_->failed();
   for (RunListener* listener : listeners) listener->finished(view);
 }
 

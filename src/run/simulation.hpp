@@ -2,11 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 
-#include "integrate/implicit_step.hpp"
 #include "integrate/step_control.hpp"
+#include "integrate/stepper.hpp"
 #include "run/density_fit.hpp"
 #include "run/listener.hpp"
 #include "run/schedule.hpp"
@@ -51,7 +52,7 @@ class Simulation {
   const Setup& setup_;
   StageClock& clock_;
   Interrupt interrupt_;
-  integrate::ImplicitStep step_;
+  std::unique_ptr<integrate::Stepper> stepper_;
   integrate::StepControl control_;
   Schedule schedule_;
   State state_;

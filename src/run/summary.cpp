@@ -55,7 +55,8 @@ json summary_of(const Setup& setup, const EndView& end) {
   summary["step_wall_s"] = {{"search", totals.times.search},
                             {"problem", totals.times.problem},
                             {"newton", totals.times.newton},
-                            {"linear", totals.times.linear}};
+                            {"linear", totals.times.linear},
+                            {"sweep", totals.times.sweep}};
   summary["largest_residual"] = totals.largest_residual;
   summary["accuracy_asked"] = setup.whole.method.time_step ? json() : json(setup.whole.method.accuracy);
   summary["accuracy_estimated"] = totals.accuracy();

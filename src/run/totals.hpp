@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "integrate/implicit_step.hpp"
+#include "integrate/stepper.hpp"
 
 namespace frit::run {
 
@@ -28,8 +28,8 @@ struct Totals {
     times.add(report.times);
   }
   void count_step(const integrate::StepReport& report) {
-    ++steps;
-    last_duration = report.duration;
+    steps += report.steps;
+    last_duration = report.time_step();
     largest_residual = std::max(largest_residual, report.residual);
     weighted_error += report.error * report.progress;
     progress += report.progress;

@@ -48,6 +48,18 @@ integrate::StepSettings step_settings_of(const config::Case& whole) {
   return settings;
 }
 
+integrate::VerletSettings verlet_settings_of(const config::Case& whole) {
+  integrate::VerletSettings settings;
+  settings.law = law_of(whole);
+  settings.spins_blocked = whole.contact.spins == config::Spins::blocked;
+  settings.density_factor = whole.method.density_factor;
+  settings.cell_inertia = whole.method.cell_inertia;
+  settings.time_step = whole.method.time_step;
+  settings.stress = whole.cell.stress.value_or(Vec3::Zero());
+  settings.strain_rate = whole.cell.strain_rate;
+  return settings;
+}
+
 Heating heating_of(const config::Case& whole) {
   Heating heating;
   heating.diffusion = {whole.material.atomic_volume, whole.material.boundary_diffusion.prefactor,

@@ -6,11 +6,15 @@
 #include "config/case.hpp"
 #include "integrate/implicit_step.hpp"
 #include "integrate/temperature.hpp"
+#include "integrate/verlet_step.hpp"
 
 namespace frit::run {
 
 // How a step is made: law, method, what is asked of it.
 integrate::StepSettings step_settings_of(const config::Case& whole);
+
+// The same for explicit steps.
+integrate::VerletSettings verlet_settings_of(const config::Case& whole);
 
 // What the furnace does, and when.
 struct Heating {
