@@ -180,7 +180,7 @@ bool ImplicitStep::solve_pass(const solve::Options& options, solve::Solution sta
 solve::Options ImplicitStep::options(double tolerance) const {
   solve::Options options;
   options.tolerance = tolerance;
-  options.mechanisms_at_rest = settings_.inertia == network::Inertia::overdamped;
+  options.mechanisms_at_rest = settings_.inertia != network::Inertia::dynamic;
   if (settings_.solver == Solver::gauss_seidel) options.largest_linear_iterations = most_sweeps;
   return options;
 }
@@ -265,7 +265,7 @@ void ImplicitStep::move(const network::StepInput& input, const Passes& passes, S
 
 bool ImplicitStep::has_run_off(const State& from, const State& to) const {
   if (has_collapsed(from, to)) return true;
-  const bool is_from_rest = settings_.inertia == network::Inertia::overdamped && !settings_.strain_rate;
+  const bool is_from_rest = settings_.inertia != network::Inertia::dynamic && !settings_.strain_rate;
   return is_from_rest && mean_turn(from, to) > largest_turn;
 }
 

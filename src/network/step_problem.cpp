@@ -7,6 +7,10 @@
 namespace frit::network {
 namespace {
 
+// Of a sphere of mean radius in the dimensionless problem, where forces that matter are of the order of one:
+// far below every tolerance.
+constexpr double vanishing_mass = 1e-12;
+
 using ConstVec = Eigen::Map<const Vec3>;
 using contact::Pairing;
 
@@ -121,9 +125,10 @@ class Builder {
       problem_.held[n] = held(p, n);
       problem_.position[n] = p.position[n] / length;
       problem_.load[n] = p.force[n] / force;
-      if (in_.conditions.inertia == Inertia::none) continue;
       const double gyration = p.radius[n] / length;
-      problem_.mass[n] = p.mass[n] / (dt * dt) * length / force;
+      problem_.mass[n] = in_.conditions.inertia == Inertia::vanishing
+                             ? vanishing_mass * gyration * gyration * gyration
+                             : p.mass[n] / (dt * dt) * length / force;
       problem_.moment[n] = 0.4 * gyration * gyration * problem_.mass[n];
       if (in_.conditions.inertia != Inertia::dynamic) continue;
       const Vec3 affine = in_.state.cell_rate.cwiseProduct(p.position[n]);
@@ -143,7 +148,7 @@ class Builder {
   // Particles without a neck have no force of their own: they start with the mean motion of the particles
   // around them (theory.md, section 4), and prospects push them from there.
   void carry_rattlers() {
-    if (estimate_ == nullptr || in_.conditions.inertia != Inertia::overdamped) return;
+    if (estimate_ == nullptr || in_.conditions.inertia == Inertia::dynamic) return;
     const Contacts& contacts = in_.state.contacts;
     std::vector<std::uint8_t> bonded(problem_.bodies(), 0);
     for (std::size_t k = 0; k < contacts.size(); ++k) {

@@ -24,7 +24,9 @@ struct Scale {
 };
 Scale scale_of(const Particles& particles, const contact::SinteringLaw& law);
 
-enum class Inertia { overdamped, dynamic, none };
+// overdamped: true mass, from rest; dynamic: true mass, velocities kept; vanishing: from rest, with masses
+// that only choose among the motions that nothing else resists (docs/decisions/0012).
+enum class Inertia { overdamped, dynamic, vanishing };
 enum class Freedom { particles, affine };  // affine: every particle moves with the macroscopic strain
 
 // What acts during the step and which unknowns there are.

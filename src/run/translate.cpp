@@ -25,7 +25,7 @@ contact::SinteringLaw law_of(const config::Case& whole) {
 }
 
 network::Inertia inertia_of(const config::Method& method) {
-  if (method.name == config::MethodName::quasi_static) return network::Inertia::none;
+  if (method.name == config::MethodName::quasi_static) return network::Inertia::vanishing;
   return method.inertia == config::Inertia::dynamic ? network::Inertia::dynamic
                                                     : network::Inertia::overdamped;
 }

@@ -41,8 +41,8 @@ TEST(Reference, DescribesTypeRangeDefaultAndStatus) {
   EXPECT_NE(eta.find("default: 0.01\n"), eta.npos);
   const auto start = describe("temperature.start");
   EXPECT_NE(start.find("default: \"1050 degC\""), start.npos) << start;
-  const auto name = describe("method.name");
-  EXPECT_NE(name.find("\"verlet\" (not available yet)"), name.npos) << name;
+  const auto packing = describe("packing.generate");
+  EXPECT_NE(packing.find("\"deposit\" (not available yet)"), packing.npos) << packing;
   const auto wall = describe("wall");
   EXPECT_NE(wall.find("status: not available yet"), wall.npos) << wall;
   const auto size = describe("cell.size");

@@ -80,9 +80,9 @@ TEST(Attempt, KeepsTheProblemThatItCouldNotSolve) {
   state.particles.position[1] = state.particles.position[0];  // coincident: no direction
   const Furnace furnace = holding();
   ImplicitStep step(exact_settings(), furnace);
-  EXPECT_FALSE(step.failed().has_value());
+  EXPECT_EQ(step.failed(), nullptr);
   EXPECT_EQ(step.attempt(state, 1.0, state).verdict, Verdict::not_solved);
-  ASSERT_TRUE(step.failed().has_value());
+  ASSERT_NE(step.failed(), nullptr);
   EXPECT_EQ(step.failed()->problem.bodies(), 2U);
 }
 

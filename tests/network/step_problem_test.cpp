@@ -24,7 +24,7 @@ std::vector<Wrench> wrenches(const State& state, const contact::SinteringLaw& la
                              const std::vector<Motion>& motions) {
   const double dt = 1e-9;  // so short that no neck grows
   Conditions conditions = step_of(dt);
-  conditions.inertia = Inertia::none;
+  conditions.inertia = Inertia::vanishing;
   const StepInput input = input_of(state, conditions, law);
   const solve::Problem problem = make_problem(input, nullptr);
   solve::Solution at = solve::Solution::at_rest(problem);
@@ -120,9 +120,21 @@ TEST(Bodies, HaveTheInertiaOfSpheres) {
     const double moment = 0.4 * state.particles.mass[n] * std::pow(state.particles.radius[n], 2);
     EXPECT_NEAR(problem.moment[n] * input.scale.force * input.scale.length / (moment / 0.25), 1.0, 1e-12);
   }
-  Conditions massless = step_of(0.5);
-  massless.inertia = Inertia::none;
-  EXPECT_EQ(make_problem(input_of(state, massless), nullptr).mass[0], 0.0);
+}
+
+TEST(VanishingInertia, DependsOnVolumesAloneAndIsFarBelowAnyForce) {
+  State state = two_spheres({.radius_j = 2.0 * R});
+  std::vector<double> first;
+  for (const double dt : {1e-6, 1.0}) {
+    Conditions conditions = step_of(dt);
+    conditions.inertia = Inertia::vanishing;
+    const solve::Problem problem = make_problem(input_of(state, conditions), nullptr);
+    EXPECT_NEAR(problem.mass[1] / problem.mass[0], 8.0, 1e-12);
+    EXPECT_LT(problem.mass[1], 1e-10);
+    if (first.empty()) first = problem.mass;
+    EXPECT_EQ(problem.mass, first);
+    state.particles.mass[0] *= 3.0;
+  }
 }
 
 TEST(Bodies, KeepTheirVelocityWhenInertiaIsDynamic) {
