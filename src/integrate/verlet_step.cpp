@@ -45,6 +45,7 @@ class Run {
   void renew_limit();
   void step(double dt);
   bool look();
+  void limit_travel(double speed);
   Fastest fastest() const;
   void write_necks(State& to) const;
 
@@ -64,6 +65,7 @@ class Run {
   double limit_rate_ = 0.0, limit_delta_b_ = 0.0;
   std::int64_t limit_due_ = 0, limit_interval_ = 1;
   std::int64_t look_due_ = 1, look_interval_ = 1;
+  double travel_limit_ = 0.0;  // [s]
 };
 
 // Rotation by a rotation vector [rad], small or not.
@@ -118,6 +120,7 @@ Run::Run(const VerletSettings& settings, const Furnace& furnace, const State& fr
   for (const VerletBody& body : forces_.bodies()) start_.push_back(body.x);
   moment_.size = from.cell.periodic ? lanes<double>(from.cell.size) : Lane{};
   if (from.cell.periodic) moment_.rate = lanes<double>(from.cell_rate);
+  limit_travel(fastest().speed);
   if (!is_driven_) return;
   double mass = 0.0;
   for (const double own : from.particles.mass) mass += settings.density_factor * own;
@@ -150,7 +153,7 @@ double Run::next_duration(double left) {
     if (steps_ >= limit_due_) renew_limit();
     // Resistances go with 1/Delta_b.
     const double rate = limit_rate_ * limit_delta_b_ / furnace_.delta_b(time());
-    dt = rate > 0.0 ? 2.0 * safety / rate : left;
+    dt = std::min(2.0 * safety / rate, travel_limit_);
   }
   if (dt >= left) return left;
   return dt > 0.5 * left ? 0.5 * left : dt;
@@ -201,6 +204,14 @@ Fastest Run::fastest() const {
   return all;
 }
 
+// What nothing resists must not fly through the list in a step.
+void Run::limit_travel(double speed) {
+  double push = 0.0;
+  for (const VerletInertia& own : inertia_) push = std::max(push, dot(own.push, own.push)[0]);
+  const double way = 0.1 * skin_;
+  travel_limit_ = std::min(way / speed, std::sqrt(way / std::sqrt(push)));
+}
+
 // Breaks necks and plans the next look. False when the list is used up.
 bool Run::look() {
   forces_.set_shifts(moment_.size);
@@ -215,6 +226,7 @@ bool Run::look() {
     closing_rate =
         std::max(closing_rate, 2.0 * now.speed + std::abs(moment_.rate[axis]) * 1.5 * largest_diameter_);
   }
+  limit_travel(now.speed);
   // A third of what is left, because velocities may grow.
   const double steps = (skin_ - closing) / (3.0 * closing_rate * moment_.dt);
   if (steps < 1.0) return false;
