@@ -19,8 +19,8 @@ constexpr double safety = 0.8;
 // The limit is looked at so often that it changes by about this share in between.
 constexpr double looked_at_growth = 0.02;
 constexpr std::int64_t most_steps_between_limits = 4096, most_steps_between_looks = 64;
-// An attempt is no longer than this number of particles times steps, so that a run can be stopped.
-constexpr std::int64_t most_particle_steps = 4'000'000, least_steps = 256;
+// An attempt is no longer than these, about half a second, so that a run can be stopped.
+constexpr std::int64_t most_particle_steps = 4'000'000, most_steps = 200'000, least_steps = 256;
 // Velocities that would carry a particle so far [mean radii] in one step are no motion of a powder.
 constexpr double runaway = 0.1;
 
@@ -239,9 +239,9 @@ bool Run::look() {
 StepReport Run::until(const Stretch& stretch) {
   StepReport report;
   Stopwatch watch;
-  const auto count = static_cast<std::int64_t>(from_.particles.size());
+  const auto count = std::max<std::int64_t>(1, static_cast<std::int64_t>(from_.particles.size()));
   const std::int64_t most =
-      std::min(stretch.steps, std::max(least_steps, most_particle_steps / std::max<std::int64_t>(1, count)));
+      std::min(stretch.steps, std::clamp(most_particle_steps / count, least_steps, most_steps));
   while (steps_ < most) {
     const double left = duration_left(stretch.duration), dt = next_duration(left);
     step(dt);
