@@ -40,7 +40,7 @@ class Plan:
     etas: tuple = (0.0, 0.001, 0.01, 0.1)
 
 
-FULL = Plan(particles=2500, zones=8, density=0.66, ratios=(0.79, 1.0, 1.25, 1.6, 2.0))
+FULL = Plan(particles=2500, zones=8, density=0.65, ratios=(0.79, 1.0, 1.25, 1.6, 2.0))
 QUICK = Plan(particles=500, zones=3, density=0.64, ratios=(1.0, 1.25, 1.6), etas=(0.01, 0.1))
 # The run repeated with other inertias of the cell: x_c over YOUNGEST, eta, and the inertias.
 CELL_RATIO, CELL_ETA, CELL_INERTIAS = 1.25, 0.01, (0.1, 10.0)

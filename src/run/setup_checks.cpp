@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "integrate/stable_step.hpp"
 #include "neighbor/neighbor.hpp"
+#include "run/translate.hpp"
 
 namespace frit::run {
 namespace {
@@ -159,6 +161,25 @@ std::vector<std::string> find_warnings(const config::Case& whole, const State& s
         observe::smallest_core));
   }
   return warnings;
+}
+
+std::optional<std::string> warn_of_inertia(const config::Case& whole, const State& state, double delta_b) {
+  if (whole.method.name != config::MethodName::verlet || state.particles.size() == 0) return std::nullopt;
+  const integrate::VerletSettings settings = verlet_settings_of(whole);
+  double spoiled = 0.0;
+  for (std::size_t n = 0; n < state.particles.size(); ++n) {
+    const double radius = state.particles.radius[n];
+    const double pull = contact::attraction_force(settings.law, {radius, radius}, 0.0);
+    const double mass = settings.density_factor * state.particles.mass[n];
+    spoiled = std::max(spoiled, integrate::inertial_neck_ratio(delta_b, pull, mass, radius));
+  }
+  // Density and rearrangement are spared while the youngest neck is well above (docs/theory.md, section 7).
+  const double youngest = settings.law.birth_neck_ratio;
+  if (spoiled <= 0.8 * youngest) return std::nullopt;
+  return fmt::format(
+      "method.density_factor: {:.3g} makes inertia govern necks below a neck ratio of {:.3g}; new necks have {:.3g} "
+      "(contact.birth_neck_ratio), so their growth, and rearrangement with it, is not that of the real mass",
+      settings.density_factor, spoiled, youngest);
 }
 
 }  // namespace frit::run

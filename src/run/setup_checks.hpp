@@ -1,6 +1,7 @@
 // What a packing must fulfil before a run can start, beyond what its file shows.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,5 +26,8 @@ void check_stop(const config::Case& whole, const observe::Reference& reference, 
 
 // What is allowed but worth knowing.
 std::vector<std::string> find_warnings(const config::Case& whole, const State& state, double density);
+
+// Explicit dynamics: that the multiplied mass spoils young necks, if it does at this Delta_b [m^5/(N s)].
+std::optional<std::string> warn_of_inertia(const config::Case& whole, const State& state, double delta_b);
 
 }  // namespace frit::run
