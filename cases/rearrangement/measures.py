@@ -74,7 +74,8 @@ class Study:
         self.start = float(start)
 
     def run(self, name, eta):
-        return self.runs[(name, max(self.etas) if name == "mean-field" else eta)]
+        """The run of a method, None where the study has none."""
+        return self.runs.get((name, max(self.etas) if name == "mean-field" else eta))
 
     def verlet(self, ratio, eta):
         return self.runs[(f"verlet {ratio:g}", eta)]

@@ -177,7 +177,8 @@ std::optional<std::string> warn_of_inertia(const config::Case& whole, const Stat
   const double youngest = settings.law.birth_neck_ratio;
   if (spoiled <= 0.8 * youngest) return std::nullopt;
   return fmt::format(
-      "method.density_factor: {:.3g} makes inertia govern necks below a neck ratio of {:.3g}; new necks have {:.3g} "
+      "method.density_factor: {:.3g} makes inertia govern necks below a neck ratio of {:.3g}; new necks have "
+      "{:.3g} "
       "(contact.birth_neck_ratio), so their growth, and rearrangement with it, is not that of the real mass",
       settings.density_factor, spoiled, youngest);
 }
