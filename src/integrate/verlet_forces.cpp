@@ -145,4 +145,12 @@ PairForces VerletForces::forces_of(const VerletPair& pair, const VerletMoment& m
   return {action.normal, action.approach_velocity, action.pull, action.whole_pull, action.sliding_velocity};
 }
 
+NeckPaths VerletForces::path_rates(const VerletPair& pair, const VerletMoment& moment) const {
+  const VerletBody &i = bodies_[pair.i], &j = bodies_[pair.j];
+  const Vec3 normal = to_vec3(j.x + shifts_[pair.image] - i.x).normalized(), spin = to_vec3(j.w - i.w);
+  const double twist = spin.dot(normal);
+  const double sliding = to_vec3(forces_of(pair, moment).sliding_velocity).norm();
+  return {(spin - twist * normal).norm(), std::abs(twist), sliding};
+}
+
 }  // namespace frit::integrate

@@ -44,6 +44,9 @@ class VerletForces {
   // What acts in a neck of the state's contacts, at the velocities of now.
   PairForces forces_of(const VerletPair& pair, const VerletMoment& moment) const;
 
+  // How fast its paths grow at the velocities of now [1/s, 1/s, m/s].
+  NeckPaths path_rates(const VerletPair& pair, const VerletMoment& moment) const;
+
   std::span<const VerletBody> bodies() const { return bodies_; }
   std::span<const Lanes<double>> turns() const { return turn_; }     // [1], accumulated rotation vectors
   std::span<const Lanes<double>> shifts() const { return shifts_; }  // [m], of the list's images

@@ -52,8 +52,12 @@ void VerletList::add_pairs(const State& state, double skin) {
     pair.kind = PairKind::neck;
     pair.offset = contacts.neck_radius_squared[k] - pair.growth * contacts.overlap[k];
     pairs_.push_back(pair);
-    history_.push_back(
-        {contacts.birth_time[k], contacts.birth_neck_radius[k], 0.0, contacts.overlap[k], false});
+    history_.push_back({contacts.birth_time[k],
+                        contacts.birth_neck_radius[k],
+                        0.0,
+                        contacts.overlap[k],
+                        false,
+                        {contacts.rolling_path[k], contacts.twisting_path[k], contacts.sliding_path[k]}});
   }
   for (const contact::Prospect& prospect : contact::find_prospects(state, skin)) {
     VerletPair pair = make_pair(state, prospect.pair);
@@ -62,7 +66,7 @@ void VerletList::add_pairs(const State& state, double skin) {
     // Parted faces must be pressed together; where they parted they touch at no force.
     pair.offset = prospect.touching + (prospect.parted ? round_off : -round_off);
     pairs_.push_back(pair);
-    history_.push_back({0.0, 0.0, prospect.touching, 0.0, prospect.parted});
+    history_.push_back({0.0, 0.0, prospect.touching, 0.0, prospect.parted, {}});
   }
 }
 
@@ -108,7 +112,14 @@ void VerletList::give_birth(VerletPair& pair, double overlap, double time) {
       contact::born_neck_squared(law_, {radius_i, pair.sum_radii - radius_i}, overlap - own.touching);
   pair.kind = PairKind::neck;
   pair.offset = q - pair.growth * overlap;
-  own = {time, std::sqrt(q), own.touching, overlap, false};
+  own = {time, std::sqrt(q), own.touching, overlap, false, {}};
+}
+
+void VerletList::add_to_paths(const VerletPair& pair, const NeckPaths& rates, double duration) {
+  NeckPaths& paths = history_[static_cast<std::size_t>(&pair - pairs_.data())].paths;
+  paths.rolling += rates.rolling * duration;
+  paths.twisting += rates.twisting * duration;
+  paths.sliding += rates.sliding * duration;
 }
 
 void VerletList::break_thin(std::size_t block, std::span<const VerletBody> bodies,
@@ -154,6 +165,9 @@ contact::ContactChanges VerletList::write_back(State& state) const {
     contacts.neck_radius_squared[k] = pair.growth * contacts.overlap[k] + pair.offset;
     contacts.birth_neck_radius[k] = history_[rows[k]].birth_neck_radius;
     contacts.birth_time[k] = history_[rows[k]].birth_time;
+    contacts.rolling_path[k] = history_[rows[k]].paths.rolling;
+    contacts.twisting_path[k] = history_[rows[k]].paths.twisting;
+    contacts.sliding_path[k] = history_[rows[k]].paths.sliding;
   }
   state.contacts = std::move(contacts);
   write_cracks(state);

@@ -43,6 +43,12 @@ struct alignas(64) VerletPair {
 };
 static_assert(sizeof(VerletPair) == 64);
 
+// Paths of a neck since its birth: integrals of the relative spin across and along the normal and of the
+// sliding speed [rad, rad, m]; or their rates.
+struct NeckPaths {
+  double rolling, twisting, sliding;
+};
+
 // What is not needed in every step, one for each pair.
 struct PairHistory {
   double birth_time;         // [s]
@@ -50,6 +56,7 @@ struct PairHistory {
   double touching;           // [m], overlap at which a gap's faces touch
   double seen_overlap;       // [m], at the last look for broken necks
   bool parted;               // faces of a broken neck
+  NeckPaths paths;
 };
 
 class VerletList {
@@ -73,6 +80,9 @@ class VerletList {
   // Breaks the necks of a block that are too thin, or have opened since the last look.
   void break_thin(std::size_t block, std::span<const VerletBody> bodies,
                   std::span<const Lanes<double>> shifts);
+
+  // A neck went on with these rates for a while [s].
+  void add_to_paths(const VerletPair& pair, const NeckPaths& rates, double duration);
 
   // Necks and cracks of the state as they have become. Forces and velocities of necks are not set.
   contact::ContactChanges write_back(State& state) const;

@@ -45,6 +45,7 @@ class Run {
   void renew_limit();
   void step(double dt);
   bool look();
+  void follow_paths();
   void limit_travel(double speed);
   Fastest fastest() const;
   void write_necks(State& to) const;
@@ -59,8 +60,8 @@ class Run {
   std::vector<Lane> start_;  // places when the list was made
   VerletMoment moment_{};
   Lane axis_inverse_mass_{};
-  bool is_driven_ = false;  // the cell, by its stress
-  double elapsed_ = 0.0;
+  bool is_driven_ = false;                       // the cell, by its stress
+  double elapsed_ = 0.0, followed_until_ = 0.0;  // [s]
   std::int64_t steps_ = 0;
   double limit_rate_ = 0.0, limit_delta_b_ = 0.0;
   std::int64_t limit_due_ = 0, limit_interval_ = 1;
@@ -212,9 +213,21 @@ void Run::limit_travel(double speed) {
   travel_limit_ = std::min(way / speed, std::sqrt(way / std::sqrt(push)));
 }
 
+// Paths of the necks by the rates of now for the time since the last look.
+void Run::follow_paths() {
+  forces_.set_shifts(moment_.size);
+  const double duration = elapsed_ - followed_until_;
+  parallel_blocks(forces_.bodies().size(), [&](std::size_t begin, std::size_t) {
+    for (const VerletPair& pair : list_.pairs(begin / block_size)) {
+      if (pair.kind == PairKind::neck) list_.add_to_paths(pair, forces_.path_rates(pair, moment_), duration);
+    }
+  });
+  followed_until_ = elapsed_;
+}
+
 // Breaks necks and plans the next look. False when the list is used up.
 bool Run::look() {
-  forces_.set_shifts(moment_.size);
+  follow_paths();
   parallel_blocks(forces_.bodies().size(), [&](std::size_t begin, std::size_t) {
     list_.break_thin(begin / block_size, forces_.bodies(), forces_.shifts());
   });
@@ -272,7 +285,7 @@ void Run::write_necks(State& to) const {
 }
 
 contact::ContactChanges Run::write_to(State& to) {
-  forces_.set_shifts(moment_.size);
+  follow_paths();
   to = from_;
   Particles& p = to.particles;
   const Vec3 rate = to_vec3(moment_.rate);

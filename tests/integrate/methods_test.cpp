@@ -67,6 +67,25 @@ TEST(FiveHundredParticles, MoveByVerletAsByContactDynamicsWhenTheFactorFalls) {
   EXPECT_LT(error, 0.01);
 }
 
+TEST(Paths, OfVerletAreThoseOfContactDynamics) {
+  const StepSettings settings = resisted();
+  const State start = random_packing({.spacing = 1.8, .neck_ratio = 0.25}, 64, settings.law);
+  const double time = time_of(2e-5);
+  const Contacts exact = advance(start, settings, time, 60).contacts;
+  const Contacts found = advance_explicitly(start, explicit_settings(settings, 1e13), time).contacts;
+  ASSERT_EQ(found.size(), exact.size());
+  double rolled = 0.0, slid = 0.0, off_rolled = 0.0, off_slid = 0.0;
+  for (std::size_t k = 0; k < exact.size(); ++k) {
+    rolled += exact.rolling_path[k];
+    slid += exact.sliding_path[k];
+    off_rolled += std::abs(found.rolling_path[k] - exact.rolling_path[k]);
+    off_slid += std::abs(found.sliding_path[k] - exact.sliding_path[k]);
+  }
+  EXPECT_GT(rolled, 0.0);
+  EXPECT_LT(off_rolled, 0.02 * rolled);
+  EXPECT_LT(off_slid, 0.02 * slid);
+}
+
 TEST(QuasiStatic, IsContactDynamicsWhereEveryMotionIsResisted) {
   StepSettings settings = resisted();
   const State start = random_packing({.spacing = 1.8}, 62, settings.law);
