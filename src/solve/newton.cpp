@@ -61,7 +61,7 @@ class NewtonSolve {
 
   // A few bodies may be far from balance while all others are near it (a contact that closes, a grain that is
   // hardly held): the larger the packing, the more surely. They are settled among their neighbours, without
-  // a solve for everything else (docs/decisions/0012). `rest`: what may remain of the residual. False: there
+  // a solve for everything else (docs/decisions/0014). `rest`: what may remain of the residual. False: there
   // are no such few.
   bool settle_few(Rest rest) {
     if (problem_.bodies() < least_bodies_for_patches || finished()) return false;
