@@ -20,6 +20,7 @@ void add_convert(CLI::App& app, Command& chosen);
 void add_replay(CLI::App& app, Command& chosen);
 void add_analyze(CLI::App& app, Command& chosen);
 void add_compare(CLI::App& app, Command& chosen);
-void add_planned(CLI::App& app, Command& chosen);  // resume, report
+void add_report(CLI::App& app, Command& chosen);
+void add_planned(CLI::App& app, Command& chosen);  // resume
 
 }  // namespace frit::app

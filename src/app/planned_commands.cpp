@@ -10,9 +10,8 @@
 namespace frit::app {
 
 void add_planned(CLI::App& app, Command& chosen) {
-  constexpr std::array<std::pair<const char*, const char*>, 2> planned{{
+  constexpr std::array<std::pair<const char*, const char*>, 1> planned{{
       {"resume", "goes on from the last checkpoint"},
-      {"report", "one HTML file about runs"},
   }};
   for (const auto& [name, purpose] : planned) {
     CLI::App* command = app.add_subcommand(name, std::string(purpose) + " (not available yet)");

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "app/progress.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "report/page.hpp"
 #include "run/folders.hpp"
 #include "run/result_folder.hpp"
 #include "run/run_case.hpp"
@@ -53,6 +55,15 @@ config::Case load_all(const RunOptions& options, const std::filesystem::path& fo
   return *whole;
 }
 
+// A page that is missing from this build does not spoil the run.
+void write_report(const std::filesystem::path& folder, const RunOptions& options) {
+  if (!report::has_page()) {
+    if (!options.quiet) fmt::print(stderr, "frit: no report.html: {}\n", report::page_missing_text);
+    return;
+  }
+  report::write_page(std::array{folder}, folder / "report.html");
+}
+
 int run_the_case(const RunOptions& options) {
   const std::filesystem::path folder = options.folder.empty() ? options.whole.file.stem() : options.folder;
   const config::Case whole = load_all(options, folder);
@@ -62,6 +73,7 @@ int run_the_case(const RunOptions& options) {
   const auto display = make_display(display_of(options));
   const run::Ending ending = run::run_case(whole, {&files, display.get()}, interrupt_received);
   if (ending.code == 3) fmt::print(stderr, "frit: {}\n", ending.reason);
+  if (whole.output.report) write_report(folder, options);
   return ending.code;
 }
 

@@ -117,6 +117,7 @@ struct Output {
   std::optional<double> every_time;  // [s]
   std::optional<std::int64_t> every_steps;
   bool snapshots = false;
+  bool report = false;
   std::int64_t checkpoint_every_steps = 0;  // 0: by wall clock
 };
 

@@ -10,4 +10,7 @@ namespace frit::io {
 // write_file_whole.
 void write_json(const std::filesystem::path& path, const nlohmann::json& value);
 
+// Reads a file that holds one JSON object. InputError naming the file and the place if it does not.
+nlohmann::json read_json_object(const std::filesystem::path& path);
+
 }  // namespace frit::io
