@@ -132,16 +132,19 @@ std::vector<std::string> case_in_words(const Case& whole, std::size_t particles)
 
 nlohmann::json material_of(const Case& whole) {
   const config::Material& material = whole.material;
-  const auto number = [](double value, const char* unit) { return fmt::format("{:.5g} {}", value, unit); };
+  nlohmann::json properties = nlohmann::json::array();
+  const auto add = [&](const char* name, double value, const char* unit) {
+    properties.push_back(nlohmann::json::array({name, fmt::format("{:.5g} {}", value, unit)}));
+  };
+  add("density", material.density, "kg/m³");
+  add("surface energy γ", material.surface_energy, "J/m²");
+  add("dihedral angle ψ", material.dihedral_angle * 180.0 / pi, "°");
+  add("atomic volume Ω", material.atomic_volume, "m³");
+  add("boundary diffusion δD₀", material.boundary_diffusion.prefactor, "m³/s");
+  add("activation energy Q", material.boundary_diffusion.activation_energy / 1e3, "kJ/mol");
   return {{"name", material.use.empty() ? "own material" : material.use},
           {"source", source_of(material)},
-          {"properties",
-           {{"density", number(material.density, "kg/m³")},
-            {"surface energy γ", number(material.surface_energy, "J/m²")},
-            {"dihedral angle ψ", number(material.dihedral_angle * 180.0 / pi, "°")},
-            {"atomic volume Ω", number(material.atomic_volume, "m³")},
-            {"boundary diffusion δD₀", number(material.boundary_diffusion.prefactor, "m³/s")},
-            {"activation energy Q", number(material.boundary_diffusion.activation_energy / 1e3, "kJ/mol")}}}};
+          {"properties", properties}};
 }
 
 std::string short_length(double metres) {

@@ -57,7 +57,7 @@ class Browser:
 
     def _notice(self, method, params):
         if method == "Runtime.exceptionThrown":
-            self.problems.append(json.dumps(params["exceptionDetails"])[:800])
+            self.problems.append(json.dumps(params["exceptionDetails"])[-900:])
         elif method == "Runtime.consoleAPICalled" and params["type"] in ("error", "warning", "assert"):
             self.problems.append("console: " + " ".join(str(a.get("value", a)) for a in params["args"]))
         elif method == "Log.entryAdded" and params["entry"]["level"] == "error":

@@ -5,11 +5,11 @@ import type { Field } from "./types";
 
 const tables = new Map<string, Uint8Array>();
 
-export const mapNames = Object.keys(data.maps);
+export const mapNames = data.maps.map((map) => map.name);
 
 /** 256 colours of three bytes. */
 export function mapTable(name: string): Uint8Array {
-  if (!tables.has(name)) tables.set(name, bytesOf(data.maps[name]!));
+  if (!tables.has(name)) tables.set(name, bytesOf(data.maps.find((map) => map.name === name)!.colours));
   return tables.get(name)!;
 }
 

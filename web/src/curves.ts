@@ -13,6 +13,7 @@ interface Quantity {
   get: Get;
   low?: Get;
   high?: Get;
+  logarithmic?: boolean; // up, unless the user says otherwise
 }
 
 const of =
@@ -27,7 +28,7 @@ const scaled =
 const overTime: Quantity[] = [
   { title: "Relative density", axis: "relative density", get: of("relative_density") },
   { title: "Linear shrinkage", axis: "shrinkage, −ln(L/L₀) [%]", get: scaled(shrinkage, 100) },
-  { title: "Densification rate", axis: "(dD/dt)/D [1/s]", get: densificationRate },
+  { title: "Densification rate", axis: "(dD/dt)/D [1/s]", get: densificationRate, logarithmic: true },
   { title: "Temperature", axis: "temperature [K]", get: of("temperature") },
 ];
 
@@ -72,7 +73,7 @@ class Group {
     for (const quantity of quantities) {
       const data = this.dataOf(quantity);
       if (!data.curves.some(hasNumbers)) continue;
-      const chart = new Chart(data, axes);
+      const chart = new Chart(data, this.axesOf(quantity));
       this.charts.push({ chart, quantity });
       this.grid.append(chart.element);
     }
@@ -81,7 +82,11 @@ class Group {
   show(x: { axis: string; get: Get }, axes: Axes): void {
     this.x = x;
     this.axes = axes;
-    for (const { chart, quantity } of this.charts) chart.show(this.dataOf(quantity), this.axes);
+    for (const { chart, quantity } of this.charts) chart.show(this.dataOf(quantity), this.axesOf(quantity));
+  }
+
+  private axesOf(quantity: Quantity): Axes {
+    return { ...this.axes, logY: this.axes.logY || quantity.logarithmic === true };
   }
 
   private dataOf(quantity: Quantity): ChartData {

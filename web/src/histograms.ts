@@ -78,11 +78,12 @@ class Histogram {
     this.drawing.replaceChildren();
     const ranges = shown.map(({ of }) => of.range);
     const x = linear(Math.min(...ranges.map((r) => r[0])), Math.max(...ranges.map((r) => r[1])));
-    // The height is that of the highest bin of a lasting part of the run, so that it stands still while time goes on.
     const y = linear(0, Math.max(...shown.flatMap(({ shares }) => shares)) * 1.05);
     const px = (value: number): number => margin.left + x.place(value) * (width - margin.left - margin.right);
     const py = (value: number): number => height - margin.bottom - y.place(value) * (height - margin.top - margin.bottom);
-    this.drawAxes(x.ticks(width / 90), y.ticks(4), px, py, width);
+    const whole = first.shares.length === first.of.range[1] - first.of.range[0];
+    const ticks = x.ticks(width / 90).filter((tick) => !whole || Number.isInteger(tick));
+    this.drawAxes(ticks, y.ticks(4), px, py, width);
     for (const each of shown) this.drawing.append(this.steps(each, px, py));
   }
 

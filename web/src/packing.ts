@@ -4,6 +4,7 @@ import { mapNames, usualRange } from "./colours";
 import { check, choice, el } from "./dom";
 import { nameAndUnit, label, short } from "./numbers";
 import { runs } from "./runs";
+import type { Necks } from "./scene";
 import { type Settings, View, drawColourBar } from "./view";
 
 const preferred = ["rearrangement_d2min", "coordination"];
@@ -19,7 +20,7 @@ export class PackingSection {
   constructor() {
     const fields = [...new Set(runs.flatMap((run) => run.packing?.fields.map((field) => field.name) ?? []))];
     const first = preferred.find((name) => fields.includes(name)) ?? fields[0] ?? "";
-    this.settings = { field: first, map: mapNames[0]!, range: { least: 0, most: 1 }, spheres: 1, necks: true, cutAxis: 0, cutAt: 1, cell: true };
+    this.settings = { field: first, map: mapNames[0]!, range: { least: 0, most: 1 }, spheres: 1, necks: "plain", cutAxis: 0, cutAt: 1, cell: true };
     const grid = el("div", { class: "views" });
     try {
       const camera = new Camera();
@@ -62,12 +63,15 @@ export class PackingSection {
       this.redraw();
     });
     const periodic = runs.some((run) => run.packing?.frames[0]?.periodic);
-    const toggle = (text: string, key: "necks" | "cell"): HTMLElement =>
-      check(text, settings[key], (on) => {
-        settings[key] = on;
-        this.redraw();
-      });
-    return el("div", { class: "bar" }, colour, size, cut, slider, toggle("necks", "necks"), toggle(periodic ? "cell" : "box", "cell"));
+    const necks = choice("necks", [["plain", "as the particles"], ["ratio", "by r/R, 0 to 0.8"], ["none", "none"]], settings.necks, (value) => {
+      settings.necks = value as Necks;
+      this.redraw();
+    });
+    const cell = check(periodic ? "cell" : "box", settings.cell, (on) => {
+      settings.cell = on;
+      this.redraw();
+    });
+    return el("div", { class: "bar" }, colour, size, necks, cut, slider, cell);
   }
 
   private makeLegend(): HTMLElement {

@@ -1,5 +1,4 @@
 // Axes: from values to places and back, and where ticks stand.
-import { roundDown } from "./numbers";
 
 export interface Scale {
   place(value: number): number; // 0 to 1 in the range
@@ -25,8 +24,8 @@ export function linear(least: number, most: number): Scale {
 
 function tickStep(width: number, about: number): number {
   const least = width / about;
-  const down = roundDown(least);
-  return [1, 2, 2.5, 5, 10].map((factor) => factor * down).find((step) => step >= least * 0.999 && !(step / down === 2.5 && String(down).startsWith("5")))!;
+  const power = 10 ** Math.floor(Math.log10(least));
+  return power * [1, 2, 2.5, 5, 10].find((factor) => factor * power >= least * 0.999)!;
 }
 
 export function logarithmic(least: number, most: number): Scale {

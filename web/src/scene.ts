@@ -4,9 +4,11 @@ import type { Frame } from "./frames";
 import type { Scene } from "./renderer";
 import { visibleRows, type Turned, type Window } from "./visible";
 
+export type Necks = "none" | "plain" | "ratio"; // plain: as the particles they join
+
 export interface Look {
   spheres: number; // share of the radius
-  necks: boolean;
+  necks: Necks;
   cutAxis: 0 | 1 | 2;
   cutAt: number; // share of the box that is kept along the axis
   cell: boolean;
@@ -63,7 +65,7 @@ export function prepare(frame: Frame, camera: Camera, look: Look, window: Window
     const from = codes ? 4 * codes[n]! : 0;
     for (let c = 0; c < 4; ++c) sphereColours[4 * k + c] = look.codeColours[from + c]!;
   }
-  const necks = look.necks ? neckList(frame, camera, look, { kept, rows }) : { bodies: new Float32Array(0), colours: new Uint8Array(0) };
+  const necks = look.necks !== "none" ? neckList(frame, camera, look, { kept, rows }) : { bodies: new Float32Array(0), colours: new Uint8Array(0) };
   const reach = Math.hypot(...frame.box) / 2 + 2.5;
   const scene = {
     spheres,
@@ -120,10 +122,16 @@ function neckList(frame: Frame, camera: Camera, look: Look, of: { kept: Uint32Ar
     }
     bodies[at + 3] = toScale ? radius : 0.45 * radius;
     bodies[at + 7] = (end - begin) / 2;
-    colours.set(look.neckColours.subarray(4 * frame.neckRatios[k]!, 4 * frame.neckRatios[k]! + 4), 4 * count);
+    for (let c = 0; c < 4; ++c) colours[4 * count + c] = look.necks === "ratio" ? look.neckColours[4 * frame.neckRatios[k]! + c]! : mean(frame, look, i, j, c);
     ++count;
   }
   return { bodies: bodies.subarray(0, 8 * count), colours: colours.subarray(0, 4 * count) };
+}
+
+// Of one part of the colours of two particles.
+function mean(frame: Frame, look: Look, i: number, j: number, part: number): number {
+  const codes = frame.codes[look.field];
+  return codes ? (look.codeColours[4 * codes[i]! + part]! + look.codeColours[4 * codes[j]! + part]!) / 2 : look.codeColours[part]!;
 }
 
 /** The twelve edges of the box. */

@@ -52,6 +52,6 @@ export interface Run {
 
 export interface PageData {
   version: string;
-  maps: Record<string, string>; // base64 of 256 RGB triples
+  maps: { name: string; colours: string }[]; // base64 of 256 RGB triples; the first is the default
   runs: Run[];
 }

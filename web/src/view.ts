@@ -8,7 +8,7 @@ import { type Frame, Frames, decode } from "./frames";
 import { label, lengthUnit, roundDown, short, timeUnit } from "./numbers";
 import { Renderer } from "./renderer";
 import { nearestRow, runs } from "./runs";
-import { type Look, type Prepared, prepare } from "./scene";
+import { type Look, type Necks, type Prepared, prepare } from "./scene";
 import type { Field, Packing } from "./types";
 
 export interface Settings {
@@ -16,7 +16,7 @@ export interface Settings {
   map: string;
   range: Range;
   spheres: number;
-  necks: boolean;
+  necks: Necks;
   cutAxis: 0 | 1 | 2;
   cutAt: number;
   cell: boolean;
@@ -101,7 +101,7 @@ export class View {
     const [width, height] = [this.canvas.width, this.canvas.height];
     // The box of the first frame fits, however it is turned, so that shrinkage shows.
     const [a, b, c] = this.packing.frames[0]!.size.map((size) => size / this.packing.mean_radius) as [number, number, number];
-    const reach = 0.5 * Math.hypot(a, b, c) + 0.8;
+    const reach = 0.44 * Math.hypot(a, b, c) + 0.8;
     const whole = (reach * Math.max(1, height / width)) / this.camera.zoom;
     // The largest sphere must fit into the largest point that the graphics can draw.
     const largest = this.packing.largest_radius / this.packing.mean_radius;
@@ -112,12 +112,11 @@ export class View {
     const field = this.field;
     const plain = new Uint8Array([199, 190, 178, 255]);
     const neckField: Field = { name: "neck_ratio", least: 0, most: 1, square: false };
-    const byRatio = this.settings.spheres < 1;
     return {
       ...this.settings,
       periodic: this.packing.frames[this.shownIndex]!.periodic,
       codeColours: field ? codeColours(this.settings.map, field, this.settings.range) : plain,
-      neckColours: byRatio ? codeColours(this.settings.map, neckField, { least: 0, most: 0.8 }) : new Uint8Array(1024).fill(90).map((v, n) => (n % 4 === 3 ? 255 : v)),
+      neckColours: codeColours(this.settings.map, neckField, { least: 0, most: 0.8 }),
       field: field ? this.packing.fields.indexOf(field) : -1,
     };
   }
