@@ -8,6 +8,7 @@ import { short, timeUnit } from "./numbers";
 import { PackingSection } from "./packing";
 import { column, data, runs } from "./runs";
 import { summarySection } from "./summary";
+import { visibleRows } from "./visible";
 
 const title = runs.length === 1 ? runs[0]!.title || runs[0]!.name : `${runs.length} runs: ${runs.map((run) => run.name).join(", ")}`;
 
@@ -54,7 +55,7 @@ function build(): void {
   const footer = el("footer", {}, `Made by frit ${data.version}. All numbers are in the folder of the results: series.csv, summary.json, snapshots.pvd.`);
   document.body.append(header, el("main", {}, ...sections.map((section) => section ?? null)), footer, timeBar());
   // For tests and for the browser's console.
-  Object.assign(window, { frit: { runs, column, cursor, views: packing?.views ?? [] } });
+  Object.assign(window, { frit: { runs, column, cursor, views: packing?.views ?? [], visibleRows } });
 }
 
 build();

@@ -28,7 +28,7 @@ export class Renderer {
 
   /** Throws where there is no WebGL 2. */
   constructor(private readonly canvas: HTMLCanvasElement) {
-    const gl = canvas.getContext("webgl2", { antialias: true, preserveDrawingBuffer: false });
+    const gl = canvas.getContext("webgl2", { antialias: false });
     if (!gl) throw new Error("WebGL 2 is missing");
     this.gl = gl;
     this.largestPoint = (gl.getParameter(gl.ALIASED_POINT_SIZE_RANGE) as Float32Array)[1]!;

@@ -12,7 +12,6 @@ export interface Look {
   cutAxis: 0 | 1 | 2;
   cutAt: number; // share of the box that is kept along the axis
   cell: boolean;
-  periodic: boolean;
   codeColours: Uint8Array; // r, g, b, 255 for each code
   neckColours: Uint8Array; // the same for 254 times the neck ratio
   field: number;
@@ -78,12 +77,13 @@ export function prepare(frame: Frame, camera: Camera, look: Look, window: Window
   return { scene, turned: places, rows };
 }
 
-/** Vector from i to j, in a periodic cell to the nearest copy. */
-function separation(frame: Frame, i: number, j: number, periodic: boolean): [number, number, number] {
+/** Vector from i to j; null where they touch across a face of the periodic cell: half a neck would stick out there. */
+function separation(frame: Frame, i: number, j: number): [number, number, number] | null {
   const d: [number, number, number] = [0, 0, 0];
+  const reach = 1.05 * (frame.radii[i]! + frame.radii[j]!);
   for (let axis = 0; axis < 3; ++axis) {
     d[axis] = frame.places[3 * j + axis]! - frame.places[3 * i + axis]!;
-    if (periodic) d[axis]! -= frame.box[axis]! * Math.round(d[axis]! / frame.box[axis]!);
+    if (Math.abs(d[axis]!) > reach) return null;
   }
   return d;
 }
@@ -104,7 +104,8 @@ function neckList(frame: Frame, camera: Camera, look: Look, of: { kept: Uint32Ar
   for (let k = 0; k < frame.neckRatios.length; ++k) {
     const [i, j] = [frame.neckEnds[2 * k]!, frame.neckEnds[2 * k + 1]!];
     if (!((wanted[i]! | wanted[j]!) & 2) || !(wanted[i]! & wanted[j]!)) continue;
-    const d = separation(frame, i, j, look.periodic);
+    const d = separation(frame, i, j);
+    if (!d) continue;
     const length = Math.hypot(...d);
     const [ri, rj] = [frame.radii[i]!, frame.radii[j]!];
     const radius = ((frame.neckRatios[k]! / 254) * 2 * ri * rj) / (ri + rj);

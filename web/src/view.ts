@@ -114,7 +114,6 @@ export class View {
     const neckField: Field = { name: "neck_ratio", least: 0, most: 1, square: false };
     return {
       ...this.settings,
-      periodic: this.packing.frames[this.shownIndex]!.periodic,
       codeColours: field ? codeColours(this.settings.map, field, this.settings.range) : plain,
       neckColours: codeColours(this.settings.map, neckField, { least: 0, most: 0.8 }),
       field: field ? this.packing.fields.indexOf(field) : -1,
@@ -125,7 +124,7 @@ export class View {
     if (!this.frame || this.canvas.width < 2) return;
     const begin = performance.now();
     const halfHeight = this.halfHeight();
-    const window = { halfWidth: (halfHeight * this.canvas.width) / this.canvas.height, halfHeight };
+    const window = { halfWidth: (halfHeight * this.canvas.width) / this.canvas.height, halfHeight, pixel: (2 * halfHeight) / this.canvas.height };
     this.prepared = prepare(this.frame, this.camera, this.look(), window);
     const dark = getComputedStyle(document.body).colorScheme === "dark";
     this.renderer.draw({

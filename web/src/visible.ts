@@ -11,10 +11,11 @@ export interface Turned {
 export interface Window {
   halfWidth: number;
   halfHeight: number;
+  pixel: number; // its edge
 }
 
 const bins = 4096;
-const cellsAcrossRadius = 3;
+const cellsAcrossRadius = 4;
 
 /** Rows from front to back. */
 export function fromFrontToBack(rows: Uint32Array, z: Float32Array): Uint32Array {
@@ -40,12 +41,14 @@ export function fromFrontToBack(rows: Uint32Array, z: Float32Array): Uint32Array
 
 /**
  * Rows that are in the window and not certainly hidden, from front to back. A grid over the window holds for each cell the
- * depth of a sphere that covers all of it; a sphere is hidden where it lies behind that in all the cells it touches.
+ * depth of a sphere that covers it, but for half a pixel at its rims; a sphere is hidden where it lies behind that in all the
+ * cells it touches.
  */
 export function visibleRows(rows: Uint32Array, { x, y, z, radii }: Turned, window: Window): Uint32Array {
   let largest = 0;
   for (const row of rows) if (radii[row]! > largest) largest = radii[row]!;
-  const cell = Math.max(largest / cellsAcrossRadius, window.halfWidth / 500, window.halfHeight / 500);
+  const cell = Math.max(largest / cellsAcrossRadius, window.pixel);
+  const halfCell = (cell - window.pixel) / 2;
   const [across, up] = [Math.ceil((2 * window.halfWidth) / cell), Math.ceil((2 * window.halfHeight) / cell)];
   const covered = new Float32Array(across * up).fill(Infinity);
   const seen = new Uint32Array(rows.length);
@@ -71,8 +74,8 @@ export function visibleRows(rows: Uint32Array, { x, y, z, radii }: Turned, windo
     for (let v = low; v <= high; ++v) {
       for (let u = left; u <= right; ++u) {
         // The farthest corner of the cell: where it is within the sphere, so is all of the cell.
-        const dx = Math.max(Math.abs(u * cell - px), Math.abs((u + 1) * cell - px));
-        const dy = Math.max(Math.abs(v * cell - py), Math.abs((v + 1) * cell - py));
+        const dx = Math.abs((u + 0.5) * cell - px) + halfCell;
+        const dy = Math.abs((v + 0.5) * cell - py) + halfCell;
         const inside = r * r - dx * dx - dy * dy;
         if (inside <= 0) continue;
         const depth = z[row]! - Math.sqrt(inside);
