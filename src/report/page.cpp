@@ -69,7 +69,8 @@ RunInPage run_of(const Result& result, const PageLimits& limits) {
 json maps_of() {
   json maps = json::array();
   for (const ColourMap& map : colour_maps()) {
-    maps.push_back({{"name", map.name}, {"colours", base64(std::span(map.table.front().data(), sizeof(map.table)))}});
+    maps.push_back(
+        {{"name", map.name}, {"colours", base64(std::span(map.table.front().data(), sizeof(map.table)))}});
   }
   return maps;
 }
