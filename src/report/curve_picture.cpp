@@ -29,7 +29,7 @@ constexpr std::array<Panel, 6> panels{{
      "neck_ratio_q10", "neck_ratio_q90"},
     {"Rearrangement", "relative_density", "rearrangement_pair_ratio", "relative density", "pair ratio"},
     {"Non-affine motion, 10 to 90 %", "relative_density", "rearrangement_d2min_mean", "relative density",
-     "D2min / R^2", "rearrangement_d2min_q10", "rearrangement_d2min_q90"},
+     "D²min/R²", "rearrangement_d2min_q10", "rearrangement_d2min_q90"},
 }};
 
 Plot plot_of(const Panel& panel, std::span<const Result> results) {

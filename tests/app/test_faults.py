@@ -108,7 +108,7 @@ class CommandLine(ProgramTest):
         self.assertEqual(self.names(), [])
 
     def test_what_is_not_available_yet_says_so(self):
-        for arguments in (("resume", "out"), ("report", "a", "--png"),
+        for arguments in (("resume", "out"),
                           ("run", "pair.toml", "--max-wall", "1h")):
             self.assert_fault(self.frit(*arguments, code=2), "not available yet")
         self.assertEqual(self.names(), [])
