@@ -152,6 +152,7 @@ std::string short_length(double metres) {
 }
 
 std::string short_time(double seconds) {
+  if (seconds == 0.0) return "0 s";
   return in_largest_unit(
       seconds, std::array<Unit, 5>{{{"h", 3600.0}, {"min", 60.0}, {"s", 1.0}, {"ms", 1e-3}, {"µs", 1e-6}}});
 }

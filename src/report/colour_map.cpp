@@ -56,7 +56,7 @@ ColourTable table_of(const std::array<Polar, count>& points) {
 
 // Blue and yellow only, through grey: chroma changes its sign.
 ColourTable dusk_table() {
-  return table_of(std::array<Polar, 3>{Polar{15, -36, 98}, Polar{52.5, 4, 92}, Polar{90, 52, 96}});
+  return table_of(std::array<Polar, 3>{Polar{15, -28, 98}, Polar{52.5, 4, 92}, Polar{90, 52, 96}});
 }
 
 }  // namespace
