@@ -24,7 +24,7 @@ struct Colouring {
 
   Rgb colour_of(double value) const {
     if (!std::isfinite(value)) return no_value;
-    const double part = most > least ? std::clamp((value - least) / (most - least), 0.0, 1.0) : 0.0;
+    const double part = most > least ? std::clamp((value - least) / (most - least), 0.0, 1.0) : 0.5;
     return colour_maps().front().table[static_cast<std::size_t>(std::lround(255.0 * part))];
   }
 };

@@ -23,7 +23,8 @@ export function codeColours(map: string, field: Field, range: Range): Uint8Array
   const table = mapTable(map);
   const colours = new Uint8Array(4 * 256).fill(255);
   for (let code = 0; code < 255; ++code) {
-    const part = (decode(field, code) - range.least) / (range.most - range.least || 1);
+    const width = range.most - range.least;
+    const part = width === 0 ? 0.5 : (decode(field, code) - range.least) / width;
     const entry = Math.round(255 * Math.max(0, Math.min(1, part)));
     colours.set(table.subarray(3 * entry, 3 * entry + 3), 4 * code);
   }

@@ -121,16 +121,17 @@ export function timeSection(): HTMLElement {
   return el("section", { id: "time" }, el("h2", {}, "Against time"), bar, group.grid);
 }
 
-export function densitySection(): HTMLElement | null {
-  if (!runs.some((run) => column(run, "relative_density")?.some(Number.isFinite))) return null;
-  const density = { axis: "relative density", get: of("relative_density") };
+/** Necks and rearrangement: against density, or against time where no density is known. */
+export function densitySection(): HTMLElement {
+  const known = runs.some((run) => column(run, "relative_density")?.some(Number.isFinite));
+  const density = known ? { axis: "relative density", get: of("relative_density") } : { axis: "time [s]", get: of("time") };
   const group = new Group(overDensity, density, { logX: false, logY: false });
   const bar = el(
     "div",
     { class: "bar" },
     check("vertical axes logarithmic", false, (logY) => group.show(density, { logX: false, logY })),
   );
-  return el("section", { id: "density" }, el("h2", {}, "Against density"), bar, group.grid);
+  return el("section", { id: "density" }, el("h2", {}, known ? "Against density" : "Necks against time"), bar, group.grid);
 }
 
 /** One chart of any column against any other. */

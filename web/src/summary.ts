@@ -1,35 +1,40 @@
 // What was computed and what came out, in words and five numbers.
 import { el } from "./dom";
 import { label, short, timeUnit } from "./numbers";
-import { column, runColour, runs } from "./runs";
+import { column, runColour, runs, shrinkage } from "./runs";
 import type { Run } from "./types";
 
 interface Figure {
   name: string;
-  value: (run: Run) => string;
+  of: (run: Run) => number; // NaN: the run does not tell
+  text: (value: number) => string;
 }
 
 const last = (run: Run, name: string): number => column(run, name)?.at(-1) ?? NaN;
 
+function timeText(time: number): string {
+  const unit = timeUnit(time);
+  return `${short(time / unit.size, 3)} ${unit.name}`;
+}
+
+const three = (value: number): string => short(value, 3);
+// By their weight: the first five that a run tells are shown.
 const figures: Figure[] = [
-  { name: "relative density", value: (run) => short(last(run, "relative_density")) },
-  {
-    name: "time",
-    value: (run) => {
-      const time = last(run, "time");
-      const unit = timeUnit(time);
-      return `${short(time / unit.size, 3)} ${unit.name}`;
-    },
-  },
-  { name: "coordination", value: (run) => short(last(run, "coordination"), 3) },
-  { name: "neck ratio r/R", value: (run) => short(last(run, "neck_ratio_mean"), 3) },
-  { name: "rearrangement, pair ratio", value: (run) => short(last(run, "rearrangement_pair_ratio"), 3) },
+  { name: "relative density", of: (run) => last(run, "relative_density"), text: short },
+  { name: "time", of: (run) => last(run, "time"), text: timeText },
+  { name: "coordination", of: (run) => last(run, "coordination"), text: three },
+  { name: "neck ratio r/R", of: (run) => last(run, "neck_ratio_mean"), text: three },
+  { name: "rearrangement, pair ratio", of: (run) => last(run, "rearrangement_pair_ratio"), text: three },
+  { name: "linear shrinkage", of: (run) => 100 * (shrinkage(run)?.at(-1) ?? NaN), text: (value) => `${three(value)} %` },
+  { name: "temperature", of: (run) => last(run, "temperature"), text: (value) => `${three(value)} K` },
+  { name: "contacts", of: (run) => last(run, "contacts"), text: short },
 ];
 
 function figureTable(): HTMLElement {
   const single = runs.length === 1;
   const blocks = runs.map((run, n) => {
-    const cells = figures.map(({ name, value }) => el("div", { class: "figure" }, el("b", {}, value(run)), el("span", {}, name)));
+    const told = figures.filter(({ of }) => Number.isFinite(of(run))).slice(0, 5);
+    const cells = told.map(({ name, of, text }) => el("div", { class: "figure" }, el("b", {}, text(of(run))), el("span", {}, name)));
     const head = single ? null : el("h3", {}, el("i", { class: "swatch", style: `background:${runColour(n)}` }), run.name);
     return el("div", { class: "figures" }, head, ...cells);
   });
