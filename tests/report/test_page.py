@@ -1,5 +1,6 @@
 """report.html of real runs in headless Chromium: no error, the numbers of series.csv, what sliders and buttons do."""
 
+import math
 import os
 import pathlib
 import time
@@ -34,9 +35,16 @@ READY = """new Promise((done, fail) => {
   };
   look();
 })"""
-# Number of curves, once the page has been laid out.
-CURVES = """new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() =>
-  done(document.querySelectorAll("path.curve").length))))"""
+# Number of curves, once there are any: they are drawn when the page has been laid out.
+CURVES = """new Promise((done) => {
+  let left = 200;
+  const look = () => {
+    const count = document.querySelectorAll("path.curve").length;
+    if (count > 0 || --left === 0) return done(count);
+    setTimeout(look, 50);
+  };
+  look();
+})"""
 # Share of the canvas that is not background, and how many colours it has.
 COVERED = """(() => {
   const view = frit.views[0], canvas = view.canvas, gl = canvas.getContext("webgl2");
@@ -55,11 +63,11 @@ COVERED = """(() => {
 HIDDEN = """(() => {
   let seed = 1, wrong = 0;
   const random = () => (seed = seed * 16807 % 2147483647) / 2147483647;
-  const count = 800, pixel = 0.08, size = 150;
+  const count = 3000, pixel = 0.08, size = 150;
   const [x, y, z, radii] = [0, 1, 2, 3].map(() => new Float32Array(count));
   for (let n = 0; n < count; ++n) {
     [x, y, z].forEach((list) => { list[n] = 12 * (random() - 0.5); });
-    radii[n] = 0.3 + 0.7 * random();
+    radii[n] = 0.4 + 1.6 * random() ** 6;
   }
   const all = Uint32Array.from({length: count}, (_, n) => n), half = size * pixel / 2;
   const seen = frit.visibleRows(all, {x, y, z, radii}, {halfWidth: half, halfHeight: half, pixel});
@@ -109,6 +117,7 @@ class Page(ProgramTest):
         self.curves_hold_the_numbers_of_the_series()
         self.a_chart_tells_its_values()
         self.the_slider_moves_all_parts()
+        self.places_are_those_of_the_last_snapshot()
         self.spheres_are_drawn_in_colours()
         hidden = self.browser.evaluate(HIDDEN)
         self.assertEqual(hidden["wrong"], 0)
@@ -150,6 +159,23 @@ class Page(ProgramTest):
         self.assertEqual((moved["row"], moved["frame"]), (0, "0"))
         self.assertNotEqual(moved["bins"], before)
         self.assertAlmostEqual(moved["mark"], moved["axis"], delta=1)
+
+    def places_are_those_of_the_last_snapshot(self):
+        """To a step of 16 bits, after all frames before it have been added up."""
+        last = sorted((self.folder / "powder" / "snapshots").glob("particles_*.vtp"))[-1]
+        self.frit("convert", last, "last.csv")
+        rows = [[float(cell) for cell in line.split(",")] for line in (self.folder / "last.csv").read_text().splitlines()[1:]]
+        shown = self.browser.evaluate("""(async () => {
+          const {packing, frames} = frit.views[0], index = packing.frames.length - 1, frame = await frames.get(index);
+          const {origin, size} = packing.frames[index];
+          return {origin, size, radius: packing.mean_radius, places: Array.from(frame.places), radii: Array.from(frame.radii)};
+        })()""")
+        for n, (_, *place, radius) in enumerate(rows):
+            self.assertAlmostEqual(shown["radii"][n] * shown["radius"], radius, delta=1e-4 * radius)
+            for axis in range(3):
+                edge = shown["size"][axis]
+                away = shown["places"][3 * n + axis] * shown["radius"] + edge / 2 + shown["origin"][axis] - place[axis]
+                self.assertLess(abs(math.remainder(away, edge)), 0.52 * edge / 65536)
 
     def spheres_are_drawn_in_colours(self):
         drawn = self.browser.evaluate(COVERED)
