@@ -28,6 +28,8 @@ def main():
     summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
     print(f"\n{summary['steps']} steps, {summary['rejected_steps']} rejected; {summary['newton_iterations']} Newton and "
           f"{summary['solver_iterations']} solver iterations")
+    if (folder / "report.html").is_file():
+        print(f"to look at: {folder}/report.html, in any browser")
     print(f"results: {folder}/series.csv (curves), {folder}/summary.json, {folder}/snapshots.pvd (ParaView, OVITO)")
 
 

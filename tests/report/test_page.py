@@ -184,6 +184,45 @@ class Page(ProgramTest):
         self.browser.evaluate("frit.views[0].settings.cutAt = 0.3")
         self.assertLess(self.browser.evaluate(COVERED)["share"], drawn["share"])
 
+    def test_keys_pointer_and_touch_turn_and_zoom(self):
+        self.frit("run", "lattice.toml", "--quiet")
+        self.open(self.folder / "lattice" / "report.html")
+        call, state = self.browser.call, lambda: self.browser.evaluate("[...frit.views[0].camera.turn, frit.views[0].camera.zoom]")
+        x, y = self.browser.evaluate("""(() => {
+          const canvas = frit.views[0].canvas;
+          canvas.scrollIntoView({block: "center"});
+          canvas.focus();
+          const box = canvas.getBoundingClientRect();
+          return [box.left + box.width / 2, box.top + box.height / 2];
+        })()""")
+        seen = [state()]
+
+        def changed(what):
+            seen.append(state())
+            self.assertNotEqual(seen[-1], seen[-2], what)
+            rows = [seen[-1][3 * n:3 * n + 3] for n in range(3)]
+            for a in range(3):
+                for b in range(3):
+                    dot = sum(p * q for p, q in zip(rows[a], rows[b]))
+                    self.assertAlmostEqual(dot, float(a == b), places=9)
+
+        call("Input.dispatchKeyEvent", type="keyDown", key="ArrowLeft", code="ArrowLeft")
+        changed("key")
+        for kind, dx in (("mousePressed", 0), ("mouseMoved", 60), ("mouseReleased", 60)):
+            call("Input.dispatchMouseEvent", type=kind, x=x + dx, y=y, button="left", buttons=1, clickCount=1)
+        changed("drag")
+        call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=-200)
+        changed("wheel")
+        for kind, apart in (("touchStart", 40), ("touchMove", 90), ("touchMove", 120), ("touchEnd", None)):
+            points = [] if apart is None else [{"x": x - apart, "y": y, "id": 0}, {"x": x + apart, "y": y, "id": 1}]
+            call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
+        changed("pinch")
+        self.assertGreater(seen[-1][9], seen[-2][9])
+        self.browser.evaluate("frit.cursor.set(0)")
+        call("Input.dispatchKeyEvent", type="keyDown", key=".", code="Period")
+        self.assertEqual(self.browser.evaluate("frit.cursor.rowOf(0)"), 1)
+        self.assertEqual(self.browser.problems, [])
+
     def test_several_runs_lie_over_each_other(self):
         for name, eta in (("rough", 0.2), ("smooth", 0.0)):
             self.run_powder(name, eta)
