@@ -17,7 +17,7 @@ using nlohmann::json;
 
 constexpr std::size_t most_histograms = 60;  // snapshots that are read
 // Bytes of base64 that a particle and a neck need in a frame, measured on copper powder.
-constexpr double bytes_per_particle = 22.0, bytes_per_neck = 5.0;
+constexpr double bytes_per_particle = 15.0, bytes_per_neck = 3.3;
 
 io::Frame read_particles(const std::filesystem::path& path) {
   io::Frame frame = io::read_vtp_frame(path);

@@ -97,6 +97,29 @@ void add_edges(const Vec3& size, double thickness, const Eigen::Matrix3d& turn, 
   }
 }
 
+// What is drawn, and how far it reaches from the middle [m].
+struct Scene {
+  std::vector<Ball> balls;
+  double across = 0.0, up = 0.0, away = 0.0;
+};
+
+Scene scene_of(const io::Frame& frame, const Colouring& colouring) {
+  const FramePacker::Box box = FramePacker::box_of(frame);
+  const Eigen::Matrix3d turn = view();
+  Scene scene;
+  scene.balls.reserve(frame.size());
+  for (std::size_t n = 0; n < frame.size(); ++n) {
+    const Vec3 centre = turn * wrapped(frame.positions[n], box, frame.cell.periodic);
+    scene.balls.push_back({centre, frame.radii[n], colouring.colour_of(colouring.values[n])});
+    scene.across = std::max(scene.across, std::abs(centre.x()) + frame.radii[n]);
+    scene.up = std::max(scene.up, std::abs(centre.y()) + frame.radii[n]);
+    scene.away = std::max(scene.away, std::abs(centre.z()) + frame.radii[n]);
+  }
+  const double thickness = std::min(0.05 * mean_radius(frame), 0.002 * box.size.norm());
+  if (frame.cell.periodic) add_edges(box.size, thickness, turn, scene.balls);
+  return scene;
+}
+
 double round_length(double wanted) {
   const double power = std::pow(10.0, std::floor(std::log10(wanted)));
   return (wanted >= 5.0 * power ? 5.0 : wanted >= 2.0 * power ? 2.0 : 1.0) * power;
@@ -161,31 +184,15 @@ void write_packing_picture(const Result& result, const PictureOptions& options,
   const std::filesystem::path& source = result.snapshots.back().particles;
   const io::Frame frame = io::read_vtp_frame(source);
   const Colouring colouring = colouring_of(frame, chosen_array(frame, options.colour, source));
-  const FramePacker::Box box = FramePacker::box_of(frame);
-  const double largest = *std::ranges::max_element(frame.radii), R = mean_radius(frame);
-  const Eigen::Matrix3d turn = view();
-  std::vector<Ball> balls;
-  balls.reserve(frame.size());
-  for (std::size_t n = 0; n < frame.size(); ++n) {
-    balls.push_back({turn * wrapped(frame.positions[n], box, frame.cell.periodic), frame.radii[n],
-                     colouring.colour_of(colouring.values[n])});
-  }
-  // The window holds every ball.
-  double across = 0.0, up = 0.0, away = 0.0;
-  for (const Ball& ball : balls) {
-    across = std::max(across, std::abs(ball.centre.x()) + ball.radius);
-    up = std::max(up, std::abs(ball.centre.y()) + ball.radius);
-    away = std::max(away, std::abs(ball.centre.z()) + ball.radius);
-  }
-  if (frame.cell.periodic) add_edges(box.size, std::min(0.05 * R, 0.002 * box.size.norm()), turn, balls);
+  const Scene scene = scene_of(frame, colouring);
 
   const int width = options.width, height = width * 4 / 5;
   const double unit = width / 80.0;  // of text [pixels]
   const double head = 6.0 * unit, foot = 7.0 * unit;
   const int picture_height = static_cast<int>(height - head - foot);
-  const double half_height = 1.03 * std::max(up, across * picture_height / width);
+  const double half_height = 1.03 * std::max(scene.up, scene.across * picture_height / width);
   Canvas canvas(width, height);
-  canvas.image(draw_balls(balls, {width, picture_height, half_height, -away - largest, away + largest}),
+  canvas.image(draw_balls(scene.balls, {width, picture_height, half_height, -scene.away, scene.away}),
                {0.0, head});
   const std::string& title = result.whole.title.empty() ? result.name : result.whole.title;
   canvas.text(title, {2.0 * unit, 2.6 * unit}, {.size = 1.4 * unit, .bold = true});

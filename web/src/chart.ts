@@ -1,7 +1,7 @@
 // A chart of curves: hover for values, drag to zoom, double click to see all, click to move the cursor there.
 import { cursor } from "./cursor";
-import { button, el, svg } from "./dom";
-import { csvOf, pngOf, saveBlob, saveText, standaloneSvg } from "./download";
+import { el, svg } from "./dom";
+import { csvOf, saveButtons } from "./download";
 import { short } from "./numbers";
 import { type Extent, type Scale, extent, linear, logarithmic } from "./scale";
 
@@ -46,7 +46,17 @@ export class Chart {
     private data: ChartData,
     private axes: Axes = { logX: false, logY: false },
   ) {
-    this.element = el("figure", {}, this.caption, el("div", { class: "plot" }, this.drawing, this.tip), this.tools());
+    this.element = el(
+      "figure",
+      {},
+      this.caption,
+      el("div", { class: "plot" }, this.drawing, this.tip),
+      saveButtons(
+        () => this.data.title,
+        this.drawing,
+        () => this.csv(),
+      ),
+    );
     this.listenToPointer();
     this.drawing.addEventListener("keydown", (event) => this.onKey(event));
     new ResizeObserver(() => {
@@ -60,17 +70,6 @@ export class Chart {
     this.axes = axes;
     this.zoom = null;
     this.draw();
-  }
-
-  private tools(): HTMLElement {
-    const file = (): string => this.data.title.replaceAll(/\W+/g, "_");
-    return el(
-      "div",
-      { class: "tools" },
-      button("SVG", "save the drawing", () => saveText(`${file()}.svg`, standaloneSvg(this.drawing), "image/svg+xml")),
-      button("PNG", "save a picture", () => void pngOf(this.drawing).then((blob) => saveBlob(`${file()}.png`, blob))),
-      button("CSV", "save the numbers", () => saveText(`${file()}.csv`, this.csv(), "text/csv")),
-    );
   }
 
   csv(): string {
@@ -109,7 +108,8 @@ export class Chart {
         else if (this.isVisible(x)) values.push(curve.y[row]!, curve.low?.[row] ?? NaN, curve.high?.[row] ?? NaN);
       });
     }
-    let range = axis === "x" && this.zoom ? this.zoom : (extent(values, accepts) ?? { least: log ? 1 : 0, most: log ? 10 : 1 });
+    let range =
+      axis === "x" && this.zoom ? this.zoom : (extent(values, accepts) ?? { least: log ? 1 : 0, most: log ? 10 : 1 });
     if (axis === "y" || range.least === range.most) range = widened(range, log);
     return log ? logarithmic(range.least, range.most) : linear(range.least, range.most);
   }
@@ -120,7 +120,8 @@ export class Chart {
   }
 
   private px = (value: number): number => margin.left + this.scaleX.place(value) * this.plotWidth();
-  private py = (value: number): number => height - margin.bottom - this.scaleY.place(value) * (height - margin.top - margin.bottom);
+  private py = (value: number): number =>
+    height - margin.bottom - this.scaleY.place(value) * (height - margin.top - margin.bottom);
   private plotWidth = (): number => Math.max(10, this.width - margin.left - margin.right);
 
   private drawAxes(): void {
@@ -136,25 +137,40 @@ export class Chart {
       this.drawing.append(svg("text", { class: "tick", x: left - 7, y: y + 4, "text-anchor": "end" }, short(tick)));
     }
     this.drawing.append(svg("path", { class: "axis", d: `M${left} ${top}V${bottom}H${right}` }));
-    this.drawing.append(svg("text", { class: "label", x: (left + right) / 2, y: height - 6, "text-anchor": "middle" }, this.data.x));
+    this.drawing.append(
+      svg("text", { class: "label", x: (left + right) / 2, y: height - 6, "text-anchor": "middle" }, this.data.x),
+    );
     const middle = (top + bottom) / 2;
     this.drawing.append(
-      svg("text", { class: "label", x: 14, y: middle, "text-anchor": "middle", transform: `rotate(-90 14 ${middle})` }, this.data.y),
+      svg(
+        "text",
+        { class: "label", x: 14, y: middle, "text-anchor": "middle", transform: `rotate(-90 14 ${middle})` },
+        this.data.y,
+      ),
     );
   }
 
   private drawCurves(): void {
     const clip = `clip-${Math.random().toString(36).slice(2)}`;
     const area = svg("clipPath", { id: clip });
-    area.append(svg("rect", { x: margin.left, y: margin.top - 4, width: this.plotWidth() + 4, height: height - margin.top - margin.bottom + 8 }));
+    area.append(
+      svg("rect", {
+        x: margin.left,
+        y: margin.top - 4,
+        width: this.plotWidth() + 4,
+        height: height - margin.top - margin.bottom + 8,
+      }),
+    );
     const group = svg("g", { "clip-path": `url(#${clip})` });
     for (const curve of this.data.curves) {
-      if (curve.low && curve.high) group.append(svg("path", { class: "band", d: this.bandPath(curve), fill: curve.colour }));
+      if (curve.low && curve.high)
+        group.append(svg("path", { class: "band", d: this.bandPath(curve), fill: curve.colour }));
       group.append(svg("path", { class: "curve", d: this.path(curve.x, curve.y), stroke: curve.colour }));
       if (curve.x.length > 80) continue;
       curve.x.forEach((x, row) => {
         const y = curve.y[row]!;
-        if (this.scaleX.accepts(x) && this.scaleY.accepts(y)) group.append(svg("circle", { cx: this.px(x), cy: this.py(y), r: 1.8, fill: curve.colour }));
+        if (this.scaleX.accepts(x) && this.scaleY.accepts(y))
+          group.append(svg("circle", { cx: this.px(x), cy: this.py(y), r: 1.8, fill: curve.colour }));
       });
     }
     this.drawing.append(area, group);
@@ -187,8 +203,12 @@ export class Chart {
       const row = cursor.rowOf(curve.run);
       const [x, y] = [curve.x[row]!, curve.y[row]!];
       if (!this.scaleX.accepts(x) || !this.isVisible(x)) return;
-      if (n === 0) this.marks.append(svg("line", { class: "cursor", x1: this.px(x), x2: this.px(x), y1: margin.top, y2: height - margin.bottom }));
-      if (this.scaleY.accepts(y)) this.marks.append(svg("circle", { class: "mark", cx: this.px(x), cy: this.py(y), r: 4.5, fill: curve.colour }));
+      if (n === 0)
+        this.marks.append(
+          svg("line", { class: "cursor", x1: this.px(x), x2: this.px(x), y1: margin.top, y2: height - margin.bottom }),
+        );
+      if (this.scaleY.accepts(y))
+        this.marks.append(svg("circle", { class: "mark", cx: this.px(x), cy: this.py(y), r: 4.5, fill: curve.colour }));
     });
   }
 
@@ -200,7 +220,8 @@ export class Chart {
     for (const curve of this.data.curves) {
       curve.x.forEach((x, row) => {
         if (!this.isVisible(x) || !this.scaleX.accepts(x) || !this.scaleY.accepts(curve.y[row]!)) return;
-        const away = Math.abs(this.px(x) - clientX + box.left) + 0.05 * Math.abs(this.py(curve.y[row]!) - clientY + box.top);
+        const away =
+          Math.abs(this.px(x) - clientX + box.left) + 0.05 * Math.abs(this.py(curve.y[row]!) - clientY + box.top);
         if (away < least) [least, best] = [away, { curve, row }];
       });
     }

@@ -56,3 +56,13 @@ export function usualRange(field: Field, codes: Uint8Array[]): Range {
   const most = decode(field, codeAt(0.99));
   return most > least ? { least, most } : { least: field.least, most: field.most };
 }
+
+/** Fills a canvas of 256 pixels across with the map. */
+export function drawColourBar(canvas: HTMLCanvasElement, map: string): void {
+  const context = canvas.getContext("2d")!;
+  const table = mapTable(map);
+  for (let n = 0; n < 256; ++n) {
+    context.fillStyle = `rgb(${table[3 * n]},${table[3 * n + 1]},${table[3 * n + 2]})`;
+    context.fillRect(n, 0, 1, canvas.height);
+  }
+}

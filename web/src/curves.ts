@@ -34,7 +34,13 @@ const overTime: Quantity[] = [
 
 const overDensity: Quantity[] = [
   { title: "Coordination", axis: "contacts a particle", get: of("coordination") },
-  { title: "Neck ratio", axis: "x = r/R, mean", get: of("neck_ratio_mean"), low: of("neck_ratio_q10"), high: of("neck_ratio_q90") },
+  {
+    title: "Neck ratio",
+    axis: "x = r/R, mean",
+    get: of("neck_ratio_mean"),
+    low: of("neck_ratio_q10"),
+    high: of("neck_ratio_q90"),
+  },
   { title: "Rearrangement", axis: "pair ratio", get: of("rearrangement_pair_ratio") },
   {
     title: "Non-affine motion",
@@ -104,8 +110,12 @@ export function timeSection(): HTMLElement {
   let logY = false;
   const group = new Group(overTime, time, { logX: false, logY });
   const show = (): void => group.show(mode.startsWith("tau") ? tau : time, { logX: mode.endsWith("log"), logY });
-  const modes: [string, string][] = [["linear", `time [${unit.name}]`], ["log", "time, logarithmic"]];
-  if (runs.some((run) => dimensionlessTime(run))) modes.push(["tau", "dimensionless"], ["tau log", "dimensionless, logarithmic"]);
+  const modes: [string, string][] = [
+    ["linear", `time [${unit.name}]`],
+    ["log", "time, logarithmic"],
+  ];
+  if (runs.some((run) => dimensionlessTime(run)))
+    modes.push(["tau", "dimensionless"], ["tau log", "dimensionless, logarithmic"]);
   const bar = el(
     "div",
     { class: "bar" },
@@ -124,14 +134,22 @@ export function timeSection(): HTMLElement {
 /** Necks and rearrangement: against density, or against time where no density is known. */
 export function densitySection(): HTMLElement {
   const known = runs.some((run) => column(run, "relative_density")?.some(Number.isFinite));
-  const density = known ? { axis: "relative density", get: of("relative_density") } : { axis: "time [s]", get: of("time") };
+  const density = known
+    ? { axis: "relative density", get: of("relative_density") }
+    : { axis: "time [s]", get: of("time") };
   const group = new Group(overDensity, density, { logX: false, logY: false });
   const bar = el(
     "div",
     { class: "bar" },
     check("vertical axes logarithmic", false, (logY) => group.show(density, { logX: false, logY })),
   );
-  return el("section", { id: "density" }, el("h2", {}, known ? "Against density" : "Necks against time"), bar, group.grid);
+  return el(
+    "section",
+    { id: "density" },
+    el("h2", {}, known ? "Against density" : "Necks against time"),
+    bar,
+    group.grid,
+  );
 }
 
 /** One chart of any column against any other. */

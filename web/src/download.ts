@@ -1,5 +1,5 @@
 // Figures and numbers as files.
-import { el } from "./dom";
+import { button, el } from "./dom";
 
 export function saveBlob(name: string, blob: Blob): void {
   const link = el("a", { href: URL.createObjectURL(blob), download: name });
@@ -11,7 +11,17 @@ export function saveText(name: string, text: string, type: string): void {
   saveBlob(name, new Blob([text], { type }));
 }
 
-const styles = ["fill", "stroke", "stroke-width", "stroke-dasharray", "fill-opacity", "font-family", "font-size", "font-weight", "text-anchor"];
+const styles = [
+  "fill",
+  "stroke",
+  "stroke-width",
+  "stroke-dasharray",
+  "fill-opacity",
+  "font-family",
+  "font-size",
+  "font-weight",
+  "text-anchor",
+];
 
 /** The drawing as it looks now, with its styles written out and its background filled. */
 export function standaloneSvg(drawing: SVGSVGElement): string {
@@ -50,4 +60,16 @@ export function csvOf(columns: { name: string; values: ArrayLike<number> }[]): s
   const lines = [columns.map((column) => column.name.replaceAll(",", ";")).join(",")];
   for (let row = 0; row < rows; ++row) lines.push(columns.map((column) => cell(column.values[row])).join(","));
   return `${lines.join("\n")}\n`;
+}
+
+/** Buttons that save a drawing as SVG and PNG and its numbers as CSV, under a name made from its title. */
+export function saveButtons(title: () => string, drawing: SVGSVGElement, csv: () => string): HTMLElement {
+  const file = (): string => title().replaceAll(/\W+/g, "_");
+  return el(
+    "div",
+    { class: "tools" },
+    button("SVG", "save the drawing", () => saveText(`${file()}.svg`, standaloneSvg(drawing), "image/svg+xml")),
+    button("PNG", "save a picture", () => void pngOf(drawing).then((blob) => saveBlob(`${file()}.png`, blob))),
+    button("CSV", "save the numbers", () => saveText(`${file()}.csv`, csv(), "text/csv")),
+  );
 }

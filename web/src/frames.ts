@@ -75,7 +75,8 @@ export class Frames {
     const reader = new Reader(bytes);
     const box = info.size.map((size) => size / mean_radius) as [number, number, number];
     const places = new Float32Array(3 * count);
-    for (let axis = 0; axis < 3; ++axis) this.unpackAxis(reader, axis, box[axis]! / (info.periodic ? 65536 : 65535), box[axis]! / 2, places);
+    for (let axis = 0; axis < 3; ++axis)
+      this.unpackAxis(reader, axis, box[axis]! / (info.periodic ? 65536 : 65535), box[axis]! / 2, places);
     const [low, high] = reader.planes(count);
     const radii = new Float32Array(count);
     for (let n = 0; n < count; ++n) radii[n] = ((low[n]! | (high[n]! << 8)) / 65535) * (largest_radius / mean_radius);

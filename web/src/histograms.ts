@@ -1,7 +1,7 @@
 // Distributions over particles and contacts at the moment of the cursor.
 import { cursor } from "./cursor";
-import { button, choice, el, svg } from "./dom";
-import { csvOf, pngOf, saveBlob, saveText, standaloneSvg } from "./download";
+import { choice, el, svg } from "./dom";
+import { csvOf, saveButtons } from "./download";
 import { label, short } from "./numbers";
 import { linear } from "./scale";
 import { nearestRow, runColour, runs } from "./runs";
@@ -24,13 +24,10 @@ class Histogram {
   private readonly caption = el("figcaption");
 
   constructor(private name: string) {
-    const file = (): string => this.name.replaceAll(/\W+/g, "_");
-    const tools = el(
-      "div",
-      { class: "tools" },
-      button("SVG", "save the drawing", () => saveText(`${file()}.svg`, standaloneSvg(this.drawing), "image/svg+xml")),
-      button("PNG", "save a picture", () => void pngOf(this.drawing).then((blob) => saveBlob(`${file()}.png`, blob))),
-      button("CSV", "save the numbers", () => saveText(`${file()}.csv`, this.csv(), "text/csv")),
+    const tools = saveButtons(
+      () => this.name,
+      this.drawing,
+      () => this.csv(),
     );
     this.element = el("figure", {}, this.caption, el("div", { class: "plot" }, this.drawing), tools);
     cursor.listen(() => this.draw());
@@ -58,7 +55,10 @@ class Histogram {
       this.shown().flatMap(({ run, of, shares }) => {
         const width = (of.range[1] - of.range[0]) / shares.length;
         return [
-          { name: `${label(of.name)}: middle of the bin (${runs[run]!.name})`, values: shares.map((_, bin) => of.range[0] + (bin + 0.5) * width) },
+          {
+            name: `${label(of.name)}: middle of the bin (${runs[run]!.name})`,
+            values: shares.map((_, bin) => of.range[0] + (bin + 0.5) * width),
+          },
           { name: `share (${runs[run]!.name})`, values: shares },
         ];
       }),
@@ -80,22 +80,46 @@ class Histogram {
     const x = linear(Math.min(...ranges.map((r) => r[0])), Math.max(...ranges.map((r) => r[1])));
     const y = linear(0, Math.max(...shown.flatMap(({ shares }) => shares)) * 1.05);
     const px = (value: number): number => margin.left + x.place(value) * (width - margin.left - margin.right);
-    const py = (value: number): number => height - margin.bottom - y.place(value) * (height - margin.top - margin.bottom);
+    const py = (value: number): number =>
+      height - margin.bottom - y.place(value) * (height - margin.top - margin.bottom);
     const whole = first.shares.length === first.of.range[1] - first.of.range[0];
     const ticks = x.ticks(width / 90).filter((tick) => !whole || Number.isInteger(tick));
     this.drawAxes(ticks, y.ticks(4), px, py, width);
     for (const each of shown) this.drawing.append(this.steps(each, px, py));
   }
 
-  private drawAxes(xs: number[], ys: number[], px: (v: number) => number, py: (v: number) => number, width: number): void {
+  private drawAxes(
+    xs: number[],
+    ys: number[],
+    px: (v: number) => number,
+    py: (v: number) => number,
+    width: number,
+  ): void {
     const bottom = height - margin.bottom;
     for (const tick of ys) {
-      this.drawing.append(svg("line", { class: "grid", x1: margin.left, x2: width - margin.right, y1: py(tick), y2: py(tick) }));
-      this.drawing.append(svg("text", { class: "tick", x: margin.left - 6, y: py(tick) + 4, "text-anchor": "end" }, `${short(100 * tick)} %`));
+      this.drawing.append(
+        svg("line", { class: "grid", x1: margin.left, x2: width - margin.right, y1: py(tick), y2: py(tick) }),
+      );
+      this.drawing.append(
+        svg(
+          "text",
+          { class: "tick", x: margin.left - 6, y: py(tick) + 4, "text-anchor": "end" },
+          `${short(100 * tick)} %`,
+        ),
+      );
     }
-    for (const tick of xs) this.drawing.append(svg("text", { class: "tick", x: px(tick), y: bottom + 16, "text-anchor": "middle" }, short(tick, 3)));
+    for (const tick of xs)
+      this.drawing.append(
+        svg("text", { class: "tick", x: px(tick), y: bottom + 16, "text-anchor": "middle" }, short(tick, 3)),
+      );
     this.drawing.append(svg("path", { class: "axis", d: `M${margin.left} ${bottom}H${width - margin.right}` }));
-    this.drawing.append(svg("text", { class: "label", x: (margin.left + width) / 2, y: height - 5, "text-anchor": "middle" }, label(this.name)));
+    this.drawing.append(
+      svg(
+        "text",
+        { class: "label", x: (margin.left + width) / 2, y: height - 5, "text-anchor": "middle" },
+        label(this.name),
+      ),
+    );
   }
 
   private steps({ run, of, shares }: Shown, px: (v: number) => number, py: (v: number) => number): SVGElement {

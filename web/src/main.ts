@@ -10,11 +10,20 @@ import { column, data, runs } from "./runs";
 import { summarySection } from "./summary";
 import { visibleRows } from "./visible";
 
-const title = runs.length === 1 ? runs[0]!.title || runs[0]!.name : `${runs.length} runs: ${runs.map((run) => run.name).join(", ")}`;
+const title =
+  runs.length === 1
+    ? runs[0]!.title || runs[0]!.name
+    : `${runs.length} runs: ${runs.map((run) => run.name).join(", ")}`;
 
 /** The slider of time that all parts follow. */
 function timeBar(): HTMLElement {
-  const slider = el("input", { type: "range", min: "0", max: String(cursor.rows - 1), step: "1", "aria-label": "time" });
+  const slider = el("input", {
+    type: "range",
+    min: "0",
+    max: String(cursor.rows - 1),
+    step: "1",
+    "aria-label": "time",
+  });
   const text = el("output");
   const play = button("▶", "play", () => toggle());
   let timer = 0;
@@ -33,13 +42,22 @@ function timeBar(): HTMLElement {
   slider.addEventListener("input", () => cursor.set(Number(slider.value)));
   cursor.listen(show);
   show();
-  const compare = choice("at equal", [["density", "density"], ["time", "time"]], "density", (what) => cursor.compareAt(what as "time" | "density"));
+  const compare = choice(
+    "at equal",
+    [
+      ["density", "density"],
+      ["time", "time"],
+    ],
+    "density",
+    (what) => cursor.compareAt(what as "time" | "density"),
+  );
   return el("div", { id: "bar" }, play, slider, text, runs.length > 1 ? compare : null);
 }
 
 function schemeButton(redraw: () => void): HTMLElement {
   const root = document.documentElement;
-  const isDark = (): boolean => (root.dataset.scheme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light")) === "dark";
+  const isDark = (): boolean =>
+    (root.dataset.scheme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light")) === "dark";
   return button("light / dark", "change between a light and a dark page", () => {
     root.dataset.scheme = isDark() ? "light" : "dark";
     redraw();
@@ -51,8 +69,19 @@ function build(): void {
   const redraw = (): void => packing?.redraw();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw);
   const header = el("header", {}, el("h1", {}, title), schemeButton(redraw));
-  const sections = [summarySection(), packing?.element, timeSection(), densitySection(), distributionSection(), anySection()];
-  const footer = el("footer", {}, `Made by frit ${data.version}. All numbers are in the folder of the results: series.csv, summary.json, snapshots.pvd.`);
+  const sections = [
+    summarySection(),
+    packing?.element,
+    timeSection(),
+    densitySection(),
+    distributionSection(),
+    anySection(),
+  ];
+  const footer = el(
+    "footer",
+    {},
+    `Made by frit ${data.version}. All numbers are in the folder of the results: series.csv, summary.json, snapshots.pvd.`,
+  );
   document.body.append(header, el("main", {}, ...sections.map((section) => section ?? null)), footer, timeBar());
   // For tests and for the browser's console.
   Object.assign(window, { frit: { runs, column, cursor, views: packing?.views ?? [], visibleRows } });

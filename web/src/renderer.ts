@@ -81,7 +81,14 @@ export class Renderer {
     this.gl.readPixels(0, 0, 1, 1, this.gl.RGBA, this.gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
-  private attribute(place: number, buffer: WebGLBuffer, values: Float32Array | Uint8Array, size: number, stride: number, offset: number): void {
+  private attribute(
+    place: number,
+    buffer: WebGLBuffer,
+    values: Float32Array | Uint8Array,
+    size: number,
+    stride: number,
+    offset: number,
+  ): void {
     const { gl } = this;
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, values, gl.STREAM_DRAW);
@@ -93,14 +100,18 @@ export class Renderer {
   private build(vertex: string, fragment: string): Program {
     const { gl } = this;
     const program = gl.createProgram()!;
-    for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]] as const) {
+    for (const [kind, source] of [
+      [gl.VERTEX_SHADER, vertex],
+      [gl.FRAGMENT_SHADER, fragment],
+    ] as const) {
       const shader = gl.createShader(kind)!;
       gl.shaderSource(shader, source);
       gl.compileShader(shader);
       gl.attachShader(program, shader);
     }
     gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(`a shader failed: ${gl.getProgramInfoLog(program)}`);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS))
+      throw new Error(`a shader failed: ${gl.getProgramInfoLog(program)}`);
     const places = new Map<string, WebGLUniformLocation | null>();
     const uniform = (name: string): WebGLUniformLocation | null => {
       if (!places.has(name)) places.set(name, gl.getUniformLocation(program, name));

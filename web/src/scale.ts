@@ -16,7 +16,8 @@ export function linear(least: number, most: number): Scale {
     ticks(about) {
       const step = tickStep(width, about);
       const ticks = [];
-      for (let n = Math.ceil(least / step - 1e-9); n * step <= most + 1e-9 * width; ++n) ticks.push(Number((n * step).toPrecision(12)));
+      for (let n = Math.ceil(least / step - 1e-9); n * step <= most + 1e-9 * width; ++n)
+        ticks.push(Number((n * step).toPrecision(12)));
       return ticks;
     },
   };
@@ -36,7 +37,10 @@ export function logarithmic(least: number, most: number): Scale {
     value: (place) => 10 ** (low + place * width),
     accepts: (value) => Number.isFinite(value) && value > 0,
     ticks(about) {
-      if (width < 1.2) return linear(least, most).ticks(about).filter((tick) => tick > 0);
+      if (width < 1.2)
+        return linear(least, most)
+          .ticks(about)
+          .filter((tick) => tick > 0);
       const every = Math.ceil(width / about);
       const ticks = [];
       for (let power = Math.ceil(low - 1e-9); power <= low + width + 1e-9; power += every) ticks.push(10 ** power);

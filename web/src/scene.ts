@@ -29,7 +29,12 @@ function keptRows(frame: Frame, look: Look): Uint32Array {
 
 export function turned(frame: Frame, camera: Camera, size: number): Turned {
   const count = frame.radii.length;
-  const [x, y, z, radii] = [0, 1, 2, 3].map(() => new Float32Array(count)) as [Float32Array, Float32Array, Float32Array, Float32Array];
+  const [x, y, z, radii] = [0, 1, 2, 3].map(() => new Float32Array(count)) as [
+    Float32Array,
+    Float32Array,
+    Float32Array,
+    Float32Array,
+  ];
   const m = camera.turn;
   const { places } = frame;
   for (let n = 0; n < count; ++n) {
@@ -64,7 +69,10 @@ export function prepare(frame: Frame, camera: Camera, look: Look, window: Window
     const from = codes ? 4 * codes[n]! : 0;
     for (let c = 0; c < 4; ++c) sphereColours[4 * k + c] = look.codeColours[from + c]!;
   }
-  const necks = look.necks !== "none" ? neckList(frame, camera, look, { kept, rows }) : { bodies: new Float32Array(0), colours: new Uint8Array(0) };
+  const necks =
+    look.necks !== "none"
+      ? neckList(frame, camera, look, { kept, rows })
+      : { bodies: new Float32Array(0), colours: new Uint8Array(0) };
   const reach = Math.hypot(...frame.box) / 2 + 2.5;
   const scene = {
     spheres,
@@ -92,7 +100,12 @@ function separation(frame: Frame, i: number, j: number): [number, number, number
  * Cylinders: between spheres to scale from surface to surface at the radius of the neck, between small ones from centre to
  * centre. Drawn where an end is seen (spheres to scale) or kept (small spheres).
  */
-function neckList(frame: Frame, camera: Camera, look: Look, of: { kept: Uint32Array; rows: Uint32Array }): { bodies: Float32Array; colours: Uint8Array } {
+function neckList(
+  frame: Frame,
+  camera: Camera,
+  look: Look,
+  of: { kept: Uint32Array; rows: Uint32Array },
+): { bodies: Float32Array; colours: Uint8Array } {
   const toScale = look.spheres >= 1;
   const wanted = new Uint8Array(frame.radii.length);
   for (const row of of.kept) wanted[row] = toScale ? 1 : 3;
@@ -117,13 +130,18 @@ function neckList(frame: Frame, camera: Camera, look: Look, of: { kept: Uint32Ar
     for (let axis = 0; axis < 3; ++axis) {
       const row = 3 * axis;
       const along = m[row]! * d[0] + m[row + 1]! * d[1] + m[row + 2]! * d[2];
-      const from = m[row]! * frame.places[3 * i]! + m[row + 1]! * frame.places[3 * i + 1]! + m[row + 2]! * frame.places[3 * i + 2]!;
+      const from =
+        m[row]! * frame.places[3 * i]! +
+        m[row + 1]! * frame.places[3 * i + 1]! +
+        m[row + 2]! * frame.places[3 * i + 2]!;
       bodies[at + axis] = from + middle * along + (axis === 0 ? camera.shiftX : axis === 1 ? camera.shiftY : 0);
       bodies[at + 4 + axis] = along / length;
     }
     bodies[at + 3] = toScale ? radius : 0.45 * radius;
     bodies[at + 7] = (end - begin) / 2;
-    for (let c = 0; c < 4; ++c) colours[4 * count + c] = look.necks === "ratio" ? look.neckColours[4 * frame.neckRatios[k]! + c]! : mean(frame, look, i, j, c);
+    for (let c = 0; c < 4; ++c)
+      colours[4 * count + c] =
+        look.necks === "ratio" ? look.neckColours[4 * frame.neckRatios[k]! + c]! : mean(frame, look, i, j, c);
     ++count;
   }
   return { bodies: bodies.subarray(0, 8 * count), colours: colours.subarray(0, 4 * count) };
@@ -132,7 +150,9 @@ function neckList(frame: Frame, camera: Camera, look: Look, of: { kept: Uint32Ar
 // Of one part of the colours of two particles.
 function mean(frame: Frame, look: Look, i: number, j: number, part: number): number {
   const codes = frame.codes[look.field];
-  return codes ? (look.codeColours[4 * codes[i]! + part]! + look.codeColours[4 * codes[j]! + part]!) / 2 : look.codeColours[part]!;
+  return codes
+    ? (look.codeColours[4 * codes[i]! + part]! + look.codeColours[4 * codes[j]! + part]!) / 2
+    : look.codeColours[part]!;
 }
 
 /** The twelve edges of the box. */
@@ -140,8 +160,16 @@ function edges(frame: Frame, camera: Camera): Float32Array {
   const ends: number[] = [];
   const m = camera.turn;
   const add = (corner: number): void => {
-    const [a, b, c] = [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? 0.5 : -0.5) * frame.box[axis]!) as [number, number, number];
-    ends.push(m[0] * a + m[1] * b + m[2] * c + camera.shiftX, m[3] * a + m[4] * b + m[5] * c + camera.shiftY, m[6] * a + m[7] * b + m[8] * c);
+    const [a, b, c] = [0, 1, 2].map((axis) => ((corner >> axis) & 1 ? 0.5 : -0.5) * frame.box[axis]!) as [
+      number,
+      number,
+      number,
+    ];
+    ends.push(
+      m[0] * a + m[1] * b + m[2] * c + camera.shiftX,
+      m[3] * a + m[4] * b + m[5] * c + camera.shiftY,
+      m[6] * a + m[7] * b + m[8] * c,
+    );
   };
   for (let corner = 0; corner < 8; ++corner) {
     for (let axis = 0; axis < 3; ++axis) {

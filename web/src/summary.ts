@@ -25,7 +25,11 @@ const figures: Figure[] = [
   { name: "coordination", of: (run) => last(run, "coordination"), text: three },
   { name: "neck ratio r/R", of: (run) => last(run, "neck_ratio_mean"), text: three },
   { name: "rearrangement, pair ratio", of: (run) => last(run, "rearrangement_pair_ratio"), text: three },
-  { name: "linear shrinkage", of: (run) => 100 * (shrinkage(run)?.at(-1) ?? NaN), text: (value) => `${three(value)} %` },
+  {
+    name: "linear shrinkage",
+    of: (run) => 100 * (shrinkage(run)?.at(-1) ?? NaN),
+    text: (value) => `${three(value)} %`,
+  },
   { name: "temperature", of: (run) => last(run, "temperature"), text: (value) => `${three(value)} K` },
   { name: "contacts", of: (run) => last(run, "contacts"), text: short },
 ];
@@ -34,8 +38,12 @@ function figureTable(): HTMLElement {
   const single = runs.length === 1;
   const blocks = runs.map((run, n) => {
     const told = figures.filter(({ of }) => Number.isFinite(of(run))).slice(0, 5);
-    const cells = told.map(({ name, of, text }) => el("div", { class: "figure" }, el("b", {}, text(of(run))), el("span", {}, name)));
-    const head = single ? null : el("h3", {}, el("i", { class: "swatch", style: `background:${runColour(n)}` }), run.name);
+    const cells = told.map(({ name, of, text }) =>
+      el("div", { class: "figure" }, el("b", {}, text(of(run))), el("span", {}, name)),
+    );
+    const head = single
+      ? null
+      : el("h3", {}, el("i", { class: "swatch", style: `background:${runColour(n)}` }), run.name);
     return el("div", { class: "figures" }, head, ...cells);
   });
   return el("div", {}, ...blocks);
@@ -53,9 +61,15 @@ function cost(run: Run): [string, string][] {
   return [
     ["steps", `${s.steps}, ${s.rejected_steps} repeated shorter`],
     ["iterations", `${s.newton_iterations} Newton, ${s.solver_iterations} linear`],
-    ["time of the computer", `${short(s.cpu_s?.total, 3)} s of processor, ${short(s.wall_s?.total, 3)} s of wall clock`],
+    [
+      "time of the computer",
+      `${short(s.cpu_s?.total, 3)} s of processor, ${short(s.wall_s?.total, 3)} s of wall clock`,
+    ],
     ["memory", `${short(s.peak_memory_bytes / 1e6, 3)} MB at most`],
-    ["accuracy", `${s.accuracy_asked === null ? "fixed steps" : `asked ${short(s.accuracy_asked)}`}, estimated ${short(s.accuracy_estimated, 2)}`],
+    [
+      "accuracy",
+      `${s.accuracy_asked === null ? "fixed steps" : `asked ${short(s.accuracy_asked)}`}, estimated ${short(s.accuracy_estimated, 2)}`,
+    ],
     ["largest force residual", short(s.largest_residual, 2)],
     ["machine", `${s.machine?.cpu}, ${s.threads} threads; frit ${s.version}`],
   ];
@@ -67,12 +81,23 @@ function notices(run: Run): HTMLElement[] {
   const warnings: string[] = [...ended, ...(run.summary.warnings ?? [])];
   return [
     ...warnings.map((text) => el("p", { class: "notice" }, `${name}${text}`)),
-    ...(run.notes.length > 0 ? [el("p", { class: "left-out" }, `${name}Left out of this page, but in the folder of the results: ${run.notes.join("; ")}.`)] : []),
+    ...(run.notes.length > 0
+      ? [
+          el(
+            "p",
+            { class: "left-out" },
+            `${name}Left out of this page, but in the folder of the results: ${run.notes.join("; ")}.`,
+          ),
+        ]
+      : []),
   ];
 }
 
 function details(run: Run): HTMLElement {
-  const final = run.series.columns.map((name, n): [string, string] => [label(name), short(run.series.values[n]!.at(-1), 6)]);
+  const final = run.series.columns.map((name, n): [string, string] => [
+    label(name),
+    short(run.series.values[n]!.at(-1), 6),
+  ]);
   return el(
     "details",
     {},
@@ -80,7 +105,13 @@ function details(run: Run): HTMLElement {
     el(
       "div",
       { class: "columns" },
-      el("div", {}, el("h3", {}, run.material.name), rows(run.material.properties), el("p", { class: "source" }, `Source: ${run.material.source}.`)),
+      el(
+        "div",
+        {},
+        el("h3", {}, run.material.name),
+        rows(run.material.properties),
+        el("p", { class: "source" }, `Source: ${run.material.source}.`),
+      ),
       el("div", {}, el("h3", {}, "Cost and accuracy"), rows(cost(run))),
       el("div", { class: "long" }, el("h3", {}, "Last row of series.csv"), rows(final)),
     ),
@@ -88,6 +119,15 @@ function details(run: Run): HTMLElement {
 }
 
 export function summarySection(): HTMLElement {
-  const words = runs.map((run) => el("p", {}, runs.length > 1 ? el("b", {}, `${run.name}: `) : null, run.words.join(" ")));
-  return el("section", { id: "summary" }, figureTable(), el("div", { class: "words" }, ...words), ...runs.flatMap(notices), ...runs.map(details));
+  const words = runs.map((run) =>
+    el("p", {}, runs.length > 1 ? el("b", {}, `${run.name}: `) : null, run.words.join(" ")),
+  );
+  return el(
+    "section",
+    { id: "summary" },
+    figureTable(),
+    el("div", { class: "words" }, ...words),
+    ...runs.flatMap(notices),
+    ...runs.map(details),
+  );
 }

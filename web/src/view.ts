@@ -1,6 +1,6 @@
 // The 3D view of one run: canvas, colour bar, scale bar, and what the pointer and the keys do.
 import { Camera } from "./camera";
-import { type Range, codeColours, mapTable } from "./colours";
+import { type Range, codeColours } from "./colours";
 import { cursor } from "./cursor";
 import { button, el } from "./dom";
 import { saveBlob } from "./download";
@@ -27,7 +27,11 @@ export class View {
   readonly frames: Frames;
   readonly camera: Camera;
   onTurn: () => void = () => {};
-  private readonly canvas = el("canvas", { tabindex: "0", role: "img", "aria-label": "packing, to turn with the arrow keys" });
+  private readonly canvas = el("canvas", {
+    tabindex: "0",
+    role: "img",
+    "aria-label": "packing, to turn with the arrow keys",
+  });
   private readonly title = el("figcaption");
   private readonly tip = el("div", { class: "tip", hidden: "" });
   private readonly scaleBar = el("div", { class: "scale" }, el("i"), el("span"));
@@ -55,7 +59,13 @@ export class View {
       camera.reset();
       this.onTurn();
     });
-    this.element = el("figure", { class: "view" }, this.title, el("div", { class: "stage" }, this.canvas, this.scaleBar, this.tip), el("div", { class: "tools" }, whole, save));
+    this.element = el(
+      "figure",
+      { class: "view" },
+      this.title,
+      el("div", { class: "stage" }, this.canvas, this.scaleBar, this.tip),
+      el("div", { class: "tools" }, whole, save),
+    );
     this.listen();
     cursor.listen(() => void this.load());
     new ResizeObserver(() => this.resize()).observe(this.canvas);
@@ -67,7 +77,10 @@ export class View {
   }
 
   get snapshotIndex(): number {
-    return nearestRow(this.packing.frames.map((frame) => frame.time), cursor.timeOf(this.run));
+    return nearestRow(
+      this.packing.frames.map((frame) => frame.time),
+      cursor.timeOf(this.run),
+    );
   }
 
   async load(): Promise<void> {
@@ -100,7 +113,11 @@ export class View {
   private halfHeight(): number {
     const [width, height] = [this.canvas.width, this.canvas.height];
     // The box of the first frame fits, however it is turned, so that shrinkage shows.
-    const [a, b, c] = this.packing.frames[0]!.size.map((size) => size / this.packing.mean_radius) as [number, number, number];
+    const [a, b, c] = this.packing.frames[0]!.size.map((size) => size / this.packing.mean_radius) as [
+      number,
+      number,
+      number,
+    ];
     const reach = 0.44 * Math.hypot(a, b, c) + 0.8;
     const whole = (reach * Math.max(1, height / width)) / this.camera.zoom;
     // The largest sphere must fit into the largest point that the graphics can draw.
@@ -124,7 +141,11 @@ export class View {
     if (!this.frame || this.canvas.width < 2) return;
     const begin = performance.now();
     const halfHeight = this.halfHeight();
-    const window = { halfWidth: (halfHeight * this.canvas.width) / this.canvas.height, halfHeight, pixel: (2 * halfHeight) / this.canvas.height };
+    const window = {
+      halfWidth: (halfHeight * this.canvas.width) / this.canvas.height,
+      halfHeight,
+      pixel: (2 * halfHeight) / this.canvas.height,
+    };
     this.prepared = prepare(this.frame, this.camera, this.look(), window);
     const dark = getComputedStyle(document.body).colorScheme === "dark";
     this.renderer.draw({
@@ -176,10 +197,14 @@ export class View {
       fingers.set(event.pointerId, event);
       this.onTurn();
     });
-    this.canvas.addEventListener("wheel", (event) => {
-      event.preventDefault();
-      this.zoomBy(Math.exp(-0.0015 * event.deltaY));
-    }, { passive: false });
+    this.canvas.addEventListener(
+      "wheel",
+      (event) => {
+        event.preventDefault();
+        this.zoomBy(Math.exp(-0.0015 * event.deltaY));
+      },
+      { passive: false },
+    );
     this.canvas.addEventListener("keydown", (event) => this.onKey(event));
   }
 
@@ -187,7 +212,8 @@ export class View {
     const [dx, dy] = [now.clientX - before.clientX, now.clientY - before.clientY];
     const other = [...fingers.values()].find((finger) => finger.pointerId !== now.pointerId);
     if (other) {
-      const apart = (finger: PointerEvent): number => Math.hypot(finger.clientX - other.clientX, finger.clientY - other.clientY);
+      const apart = (finger: PointerEvent): number =>
+        Math.hypot(finger.clientX - other.clientX, finger.clientY - other.clientY);
       this.camera.zoom = clampZoom((this.camera.zoom * apart(now)) / (apart(before) || 1));
       this.shift(dx / 2, dy / 2);
     } else if (now.shiftKey || now.buttons & 6) {
@@ -209,14 +235,20 @@ export class View {
   }
 
   private onKey(event: KeyboardEvent): void {
-    const turns: Record<string, [number, number]> = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, -0.1], ArrowDown: [0, 0.1] };
+    const turns: Record<string, [number, number]> = {
+      ArrowLeft: [-0.1, 0],
+      ArrowRight: [0.1, 0],
+      ArrowUp: [0, -0.1],
+      ArrowDown: [0, 0.1],
+    };
     const turn = turns[event.key];
     if (turn && event.shiftKey) this.shift(turn[0] * 300, turn[1] * 300);
     else if (turn) this.camera.rotate(...turn);
     else if (event.key === "+" || event.key === "=") this.camera.zoom = clampZoom(this.camera.zoom * 1.15);
     else if (event.key === "-") this.camera.zoom = clampZoom(this.camera.zoom / 1.15);
     else if (event.key === "0") this.camera.reset();
-    else if (event.key === "," || event.key === ".") return cursor.set(cursor.rowOf(this.run) + (event.key === "." ? 1 : -1), this.run);
+    else if (event.key === "," || event.key === ".")
+      return cursor.set(cursor.rowOf(this.run) + (event.key === "." ? 1 : -1), this.run);
     else return;
     event.preventDefault();
     this.onTurn();
@@ -245,8 +277,14 @@ export class View {
     if (row === null || !this.frame) return;
     const radius = this.frame.radii[row]! * this.packing.mean_radius;
     const unit = lengthUnit(radius);
-    const lines = this.packing.fields.map((field, n) => `${label(field.name)}: ${short(decode(field, this.frame!.codes[n]![row]!), 3)}`);
-    this.tip.textContent = [`particle ${this.packing.ids?.[row] ?? row}`, `radius: ${short(radius / unit.size, 3)} ${unit.name}`, ...lines].join("\n");
+    const lines = this.packing.fields.map(
+      (field, n) => `${label(field.name)}: ${short(decode(field, this.frame!.codes[n]![row]!), 3)}`,
+    );
+    this.tip.textContent = [
+      `particle ${this.packing.ids?.[row] ?? row}`,
+      `radius: ${short(radius / unit.size, 3)} ${unit.name}`,
+      ...lines,
+    ].join("\n");
     const box = this.canvas.getBoundingClientRect();
     this.tip.style.left = `${Math.min(event.clientX - box.left + 14, box.width - this.tip.offsetWidth - 4)}px`;
     this.tip.style.top = `${Math.min(event.clientY - box.top + 14, box.height - this.tip.offsetHeight - 4)}px`;
@@ -261,12 +299,3 @@ export class View {
 }
 
 const clampZoom = (zoom: number): number => Math.max(0.3, Math.min(60, zoom));
-
-export function drawColourBar(canvas: HTMLCanvasElement, map: string): void {
-  const context = canvas.getContext("2d")!;
-  const table = mapTable(map);
-  for (let n = 0; n < 256; ++n) {
-    context.fillStyle = `rgb(${table[3 * n]},${table[3 * n + 1]},${table[3 * n + 2]})`;
-    context.fillRect(n, 0, 1, canvas.height);
-  }
-}
