@@ -5,6 +5,7 @@ import os
 import pathlib
 import time
 import unittest
+import xml.etree.ElementTree
 
 from browser import Browser, find_browser
 from program import ProgramTest
@@ -116,6 +117,7 @@ class Page(ProgramTest):
         self.assertEqual(self.browser.evaluate("document.querySelector('h1').textContent"), "Powder <b>in</b> a cell")
         self.curves_hold_the_numbers_of_the_series()
         self.a_chart_tells_its_values()
+        self.a_chart_can_be_saved()
         self.the_slider_moves_all_parts()
         self.places_are_those_of_the_last_snapshot()
         self.spheres_are_drawn_in_colours()
@@ -141,6 +143,24 @@ class Page(ProgramTest):
         })()""")
         self.assertIn("relative density", tip)
         self.assertAlmostEqual(float(tip.split(":")[-1]), float(density[-1]), delta=1e-6)
+
+    def a_chart_can_be_saved(self):
+        """SVG that is XML, PNG three times the size on the screen, CSV with the numbers of the series."""
+        svg, png, csv = self.browser.evaluate("""(async () => {
+          const blobs = [], make = URL.createObjectURL;
+          URL.createObjectURL = (blob) => (blobs.push(blob), make(blob));
+          for (const button of document.querySelectorAll("#time figure:first-child .tools button")) button.click();
+          for (let left = 100; blobs.length < 3 && left > 0; --left) await new Promise((done) => setTimeout(done, 50));
+          URL.createObjectURL = make;
+          const of = (type) => blobs.find((blob) => blob.type.startsWith(type));
+          const picture = await createImageBitmap(of("image/png"));
+          return [await of("image/svg").text(), [picture.width, picture.height], await of("text/csv").text()];
+        })()""")
+        root = xml.etree.ElementTree.fromstring(svg)
+        self.assertGreater(len(list(root.iter("{http://www.w3.org/2000/svg}path"))), 1)
+        self.assertEqual(png, [3 * int(root.get("width")), 3 * int(root.get("height"))])
+        shown = [float(line.split(",")[1]) for line in csv.splitlines()[1:]]
+        self.assertEqual(shown, [float(text) for text in self.series("powder")["relative_density"]])
 
     def the_slider_moves_all_parts(self):
         before = self.browser.evaluate("document.querySelector('#distributions .steps').getAttribute('d')")

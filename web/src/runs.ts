@@ -55,4 +55,11 @@ export function nearestRow(values: ArrayLike<number>, value: number): number {
 /** Colours of runs (Okabe and Ito 2008, told apart by the colour-blind). */
 export const runColours = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
 export const runColour = (index: number): string => runColours[index % runColours.length]!;
-export const bytesOf = (text: string): Uint8Array => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+
+/** From base64. A plain loop: ten times faster than Uint8Array.from with a function. */
+export function bytesOf(text: string): Uint8Array {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let n = 0; n < bytes.length; ++n) bytes[n] = letters.charCodeAt(n);
+  return bytes;
+}
