@@ -23,7 +23,7 @@ function(frit_page_asset target)
       set(esbuild ${out}/node_modules/.bin/esbuild)
       add_custom_command(OUTPUT ${esbuild}
         COMMAND ${CMAKE_COMMAND} -E copy ${web}/package.json ${web}/package-lock.json ${out}
-        COMMAND ${FRIT_NPM} ci --no-audit --no-fund --prefix ${out}
+        COMMAND ${FRIT_NPM} ci --omit=dev --no-audit --no-fund --prefix ${out}
         DEPENDS ${web}/package.json ${web}/package-lock.json
         COMMENT "Getting esbuild by npm" VERBATIM)
     endif()
