@@ -17,8 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 9> result_files{
-    "case.toml",           "series.csv",          "summary.json",         "snapshots.pvd",              "report.html",
-    "failed_problem.cbor", "analysis/series.csv", "analysis/network.csv", "analysis/distributions.json"};
+    "case.toml",           "series.csv",           "summary.json",
+    "snapshots.pvd",       "report.html",          "failed_problem.cbor",
+    "analysis/series.csv", "analysis/network.csv", "analysis/distributions.json"};
 
 bool is_snapshot(const fs::path& path) {
   const std::string name = path.filename().string();
