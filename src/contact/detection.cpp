@@ -32,6 +32,7 @@ double largest_radius(const Particles& particles) {
 struct Birth {
   Pair pair;
   double neck_radius_squared, overlap;
+  double radius_at_birth;
 };
 
 void append(Contacts& contacts, const Birth& birth, double time) {
@@ -42,7 +43,7 @@ void append(Contacts& contacts, const Birth& birth, double time) {
   contacts.image[k] = birth.pair.image;
   contacts.neck_radius_squared[k] = birth.neck_radius_squared;
   contacts.overlap[k] = birth.overlap;
-  contacts.birth_neck_radius[k] = std::sqrt(birth.neck_radius_squared);
+  contacts.birth_neck_radius[k] = birth.radius_at_birth;
   contacts.birth_time[k] = time;
 }
 
@@ -72,7 +73,7 @@ double initial_neck_squared(const SinteringLaw& law, const Pairing& pairing, dou
   const double q = std::max(coble_neck_squared(pairing, overlap), asked * asked);
   // Round-off overlaps are no necks.
   const double least = coble_neck_squared(pairing, touching_distance(pairing));
-  return q > least ? q : born_neck_squared(law, pairing, overlap);
+  return q > least ? q : born_neck_squared(law, pairing, 0.0);
 }
 
 Pair nearest_image(const State& state, std::int32_t i, std::int32_t j) {
@@ -125,7 +126,7 @@ void renew_cracks(State& state, const std::vector<Birth>& births, const std::vec
     const auto birth = std::lower_bound(births.begin(), births.end(), pair, is_before);
     const bool closed = birth != births.end() && birth->pair == pair;
     if (!closed && overlap_of(state, pair) > 0.0)
-      kept.push_back({pair, 0.0, state.cracks.overlap_when_parted[n]});
+      kept.push_back({pair, 0.0, state.cracks.overlap_when_parted[n], 0.0});
   }
   std::sort(kept.begin(), kept.end(), [](const Birth& a, const Birth& b) { return before(a.pair, b.pair); });
   state.cracks = {};
@@ -153,7 +154,7 @@ std::vector<Birth> grow_and_break(State& state, const SinteringLaw& law) {
     if (broken[k] == 0) {
       copy_contact(contacts, k, whole);
     } else {
-      parted.push_back({pair_at(contacts, k), 0.0, contacts.overlap[k]});
+      parted.push_back({pair_at(contacts, k), 0.0, contacts.overlap[k], 0.0});
     }
   }
   contacts = std::move(whole);
@@ -175,8 +176,8 @@ void find_initial_contacts(State& state, const SinteringLaw& law, double initial
     const Pairing pairing = pairing_of(state, pair);
     const double overlap = overlap_of(state, pair);
     if (overlap < -touching_distance(pairing)) continue;
-    append(state.contacts, {pair, initial_neck_squared(law, pairing, overlap, initial_neck_ratio), overlap},
-           0.0);
+    const double q = initial_neck_squared(law, pairing, overlap, initial_neck_ratio);
+    append(state.contacts, {pair, q, overlap, std::sqrt(q)}, 0.0);
   }
 }
 
@@ -189,7 +190,7 @@ void use_given_contacts(State& state, const SinteringLaw& law, const GivenNecks&
     const double overlap = overlap_of(state, pair);
     double q = initial_neck_squared(law, pairing, overlap, initial_neck_ratio);
     if (!given.neck_radius.empty()) q = given.neck_radius[n] * given.neck_radius[n];
-    births.push_back({pair, q, overlap});
+    births.push_back({pair, q, overlap, std::sqrt(q)});
   }
   std::sort(births.begin(), births.end(),
             [](const Birth& a, const Birth& b) { return before(a.pair, b.pair); });
@@ -227,7 +228,8 @@ ContactChanges update_contacts(State& state, const SinteringLaw& law, std::span<
     const double overlap = overlap_of(state, prospect.pair);
     const double pressed = overlap - prospect.touching;
     if (pressed < least_pressed(law, prospect, pairing)) continue;
-    births.push_back({prospect.pair, born_neck_squared(law, pairing, pressed), overlap});
+    const double at_birth = std::sqrt(born_neck_squared(law, pairing, 0.0));
+    births.push_back({prospect.pair, born_neck_squared(law, pairing, pressed), overlap, at_birth});
   }
   std::sort(births.begin(), births.end(),
             [](const Birth& a, const Birth& b) { return before(a.pair, b.pair); });

@@ -9,12 +9,14 @@
 namespace frit::contact {
 
 // Normal force of a step as a function of the approach a in it (theory.md, eq. 7):
-//   f(a) = P(start + growth a) - P(start) - pull + l, P(q) = viscosity q^3 up to cap, linear above;
+//   f(a) = P(start + growth a) - P(start) - pull + l,
+//   P(q) = viscosity q^3 from floor to cap, constant below, linear above;
 //   l = 0 below threshold, limit above, anything between at it.
 struct LocalResponse {
   double viscosity = 0.0;  // [N/m^6]
   double start = 0.0;      // [m^2], neck radius squared at the start of the step
   double growth = 0.0;     // [m], of the neck radius squared per approach
+  double floor = 0.0;      // [m^2]
   double cap = 0.0;        // [m^2]
   double pull = 0.0;       // [N]
   double threshold = 0.0;  // [m]
@@ -60,16 +62,17 @@ struct ClosingStep {
   double gap, approach;
 };
 
-// Response of such a pair: once touching it is a neck that grows from nothing after Coble and resists like
-// one. It attracts for the part of the step after the (estimated) touch; without an estimate, not in this
-// step (docs/decisions/0004). In the limit of short steps this is Signorini's condition.
+// Response of such a pair: once touching it is a neck of birth_neck_ratio that grows from there (theory.md,
+// eq. 10). It attracts for the part of the step after the (estimated) touch; without an estimate, not in this
+// step (docs/decisions/0004, 0015). In the limit of short steps this is Signorini's condition.
 inline LocalResponse respond_closing(const SinteringLaw& law, const Pairing& pair, const ClosingStep& step,
                                      double theta) {
   const double largest = equilibrium_neck_radius(law, pair);
   LocalResponse response;
   response.viscosity = pi / (48.0 * pair.equivalent * theta);
   response.growth = 2.0 * pair.equivalent;
-  response.start = -response.growth * step.gap;
+  response.floor = born_neck_squared(law, pair, 0.0);
+  response.start = response.floor - response.growth * step.gap;
   response.cap = largest * largest;
   if (step.approach > step.gap) {
     const double share = step.gap > 0.0 ? 1.0 - step.gap / step.approach : 1.0;

@@ -81,10 +81,11 @@ inline double coble_neck_squared(const Pairing& pair, double overlap) {
   return std::max(0.0, 2.0 * pair.equivalent * overlap);
 }
 
-// A neck born at this overlap.
+// Squared radius [m^2] of a neck that was born at the touch with birth_neck_ratio and has sintered since to
+// this overlap [m].
 inline double born_neck_squared(const SinteringLaw& law, const Pairing& pair, double overlap) {
   const double least = law.birth_neck_ratio * pair.equivalent;
-  return std::max(coble_neck_squared(pair, overlap), least * least);
+  return least * least + coble_neck_squared(pair, overlap);
 }
 
 // Spheres closer than this [m] touch: round-off of coordinates.

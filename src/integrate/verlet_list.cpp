@@ -108,11 +108,12 @@ std::tuple<std::int32_t, std::int32_t, Image> VerletList::key_of(std::size_t row
 void VerletList::give_birth(VerletPair& pair, double overlap, double time) {
   PairHistory& own = history_[static_cast<std::size_t>(&pair - pairs_.data())];
   const double radius_i = pair.arm_share * pair.sum_radii;
-  const double q =
-      contact::born_neck_squared(law_, {radius_i, pair.sum_radii - radius_i}, overlap - own.touching);
+  const contact::Pairing pairing{radius_i, pair.sum_radii - radius_i};
+  const double q = contact::born_neck_squared(law_, pairing, overlap - own.touching);
   pair.kind = PairKind::neck;
   pair.offset = q - pair.growth * overlap;
-  own = {time, std::sqrt(q), own.touching, overlap, false, {}};
+  const double at_birth = std::sqrt(contact::born_neck_squared(law_, pairing, 0.0));
+  own = {time, at_birth, own.touching, overlap, false, {}};
 }
 
 void VerletList::add_to_paths(const VerletPair& pair, const NeckPaths& rates, double duration) {

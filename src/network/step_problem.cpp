@@ -79,6 +79,7 @@ class Builder {
     edge.response.viscosity = r.viscosity * area * area * area / force;
     edge.response.start = r.start / area;
     edge.response.growth = r.growth / length;
+    edge.response.floor = r.floor / area;
     edge.response.cap = r.cap / area;
     edge.response.pull = r.pull / force;
     edge.response.threshold = r.threshold / length;

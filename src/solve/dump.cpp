@@ -9,8 +9,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int dump_version = 2;
-constexpr std::size_t numbers_per_edge = 18;
+constexpr int dump_version = 3;
+constexpr std::size_t numbers_per_edge = 19;
 
 void check(bool good, const char* what) {
   if (!good) throw InputError(std::string("problem dump: ") + what);
@@ -58,9 +58,10 @@ std::vector<double> edge_numbers(const Problem& problem) {
   std::vector<double> numbers;
   for (const Edge& e : problem.edges) {
     const NormalResponse& r = e.response;
-    numbers.insert(numbers.end(), {double(e.i), double(e.j), e.normal.x(), e.normal.y(), e.normal.z(),
-                                   e.arm_i, e.arm_j, e.approach_scale, r.viscosity, r.start, r.growth, r.cap,
-                                   r.pull, r.threshold, r.limit, e.sliding, e.rolling, e.twisting});
+    numbers.insert(numbers.end(),
+                   {double(e.i), double(e.j), e.normal.x(), e.normal.y(), e.normal.z(), e.arm_i, e.arm_j,
+                    e.approach_scale, r.viscosity, r.start, r.growth, r.floor, r.cap, r.pull, r.threshold,
+                    r.limit, e.sliding, e.rolling, e.twisting});
   }
   return numbers;
 }
@@ -78,10 +79,10 @@ std::vector<Edge> edges_of(const std::vector<double>& v) {
     e.arm_i = n[5];
     e.arm_j = n[6];
     e.approach_scale = n[7];
-    e.response = {n[8], n[9], n[10], n[11], n[12], n[13], n[14], false};
-    e.sliding = n[15];
-    e.rolling = n[16];
-    e.twisting = n[17];
+    e.response = {n[8], n[9], n[10], n[11], n[12], n[13], n[14], n[15], false};
+    e.sliding = n[16];
+    e.rolling = n[17];
+    e.twisting = n[18];
   }
   return edges;
 }

@@ -17,10 +17,11 @@ using MutVec = Eigen::Map<Vec3>;
 
 double secant_stiffness(const NormalResponse& r) {
   if (r.viscosity == 0.0 || r.pull <= 0.0) return 0.0;
+  const double start = std::max(r.start, r.floor);
   const double cubes = r.pull / r.viscosity;  // free_q^3 - start^3
-  const double free_q = std::cbrt(r.start * r.start * r.start + cubes);
+  const double free_q = std::cbrt(start * start * start + cubes);
   // The difference of the roots by that of the cubes: in a tiny step it is below the roots' round-off.
-  const double sum_of_squares = free_q * free_q + free_q * r.start + r.start * r.start;
+  const double sum_of_squares = free_q * free_q + free_q * start + start * start;
   const double free_approach = cubes / sum_of_squares / r.growth;
   const double shortest = 1e-2 * std::sqrt(r.cap);
   return r.pull / std::min(free_approach, shortest);

@@ -15,7 +15,7 @@ namespace {
 // torn neck.
 double viscous_stiffness(const NormalResponse& r, double approach, Stiffness kind) {
   if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
-  const double start = std::clamp(r.start, 0.0, r.cap);
+  const double start = std::clamp(r.start, r.floor, r.cap);
   const double q = r.start + r.growth * approach;
   const double free_q_cubed = start * start * start + r.pull / r.viscosity;
   const auto is_below = [&](double size) {  // size < min(cap, free q), without its cubic root

@@ -21,7 +21,7 @@ namespace frit::solve {
 
 // Normal force of an edge, positive when it repels, as a function of the approach a in the step:
 //     f(a) = P(start + growth a) - P(start) - pull + l,
-//     P(q) = viscosity q^3 for 0 <= q <= cap, constant below, continued by its tangent above;
+//     P(q) = viscosity q^3 for floor <= q <= cap, constant below, continued by its tangent above;
 //     l = 0 for a < threshold, limit for a > threshold, any value of [0, limit] at a = threshold.
 // With `opens_freely` the bracket P - P is never negative (unilateral pull). A rigid contact with a gap g has
 // viscosity 0, threshold g and limit infinity: 0 <= g - a perpendicular to f >= 0 (theory.md, eqs. 7 to 10).
@@ -29,6 +29,7 @@ struct NormalResponse {
   double viscosity = 0.0;
   double start = 0.0;      // squared neck radius at the start of the step
   double growth = 0.0;     // of the squared neck radius per approach
+  double floor = 0.0;      // squared radius that a neck born in the step has at once; others: 0
   double cap = 0.0;        // squared neck radius at equilibrium
   double pull = 0.0;       // attraction
   double threshold = 0.0;  // approach at which the multiplier acts

@@ -9,7 +9,7 @@ namespace frit::solve {
 
 // P(q) of problem.hpp.
 inline double viscous_potential(const NormalResponse& r, double q) {
-  if (q <= 0.0) return 0.0;
+  if (q <= r.floor) return r.viscosity * r.floor * r.floor * r.floor;
   if (q <= r.cap) return r.viscosity * q * q * q;
   return r.viscosity * r.cap * r.cap * (3.0 * q - 2.0 * r.cap);
 }
@@ -21,7 +21,7 @@ inline bool is_open(const NormalResponse& r, double approach) { return r.opens_f
 inline double viscous_force(const NormalResponse& r, double approach) {
   if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
   const double q0 = r.start, q1 = q0 + r.growth * approach;
-  if (q0 >= 0.0 && q0 <= r.cap && q1 >= 0.0 && q1 <= r.cap) {
+  if (q0 >= r.floor && q0 <= r.cap && q1 >= r.floor && q1 <= r.cap) {
     return r.viscosity * r.growth * approach * (q0 * q0 + q0 * q1 + q1 * q1);
   }
   if (q0 >= r.cap && q1 >= r.cap) return 3.0 * r.viscosity * r.cap * r.cap * r.growth * approach;
@@ -31,7 +31,8 @@ inline double viscous_force(const NormalResponse& r, double approach) {
 // Derivative of viscous_force. Neck resistance at the end of the step.
 inline double viscous_tangent(const NormalResponse& r, double approach) {
   if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
-  const double q = std::clamp(r.start + r.growth * approach, 0.0, r.cap);
+  const double q = std::min(r.start + r.growth * approach, r.cap);
+  if (q <= r.floor) return 0.0;
   return 3.0 * r.viscosity * r.growth * q * q;
 }
 

@@ -83,10 +83,10 @@ TEST(Crack, HealsWithANewNeckOfWhatIsPressedBeyondTouching) {
   set_overlap(state, 0.095 * R);
   EXPECT_EQ(update_contacts(state, unilateral, prospects).born, 1);
   EXPECT_EQ(state.cracks.size(), 0U);
-  EXPECT_NEAR(state.contacts.neck_radius_squared.at(0), 2.0 * R * 0.005 * R, 1e-10 * R * R);
+  EXPECT_NEAR(state.contacts.neck_radius_squared.at(0), (0.0009 + 2.0 * 0.005) * R * R, 1e-10 * R * R);
   set_overlap(state, 0.105 * R);
   update_contacts(state, unilateral, {});
-  EXPECT_NEAR(state.contacts.neck_radius_squared.at(0), 2.0 * R * 0.015 * R, 1e-10 * R * R);
+  EXPECT_NEAR(state.contacts.neck_radius_squared.at(0), (0.0009 + 2.0 * 0.015) * R * R, 1e-10 * R * R);
 }
 
 TEST(Crack, IsForgottenOnceTheSpheresAreApart) {

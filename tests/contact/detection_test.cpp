@@ -160,7 +160,8 @@ TEST(Birth, HappensWhenAProspectTouches) {
   EXPECT_EQ(changes.born, 1);
   EXPECT_EQ(changes.broken, 0);
   ASSERT_EQ(state.contacts.size(), 1U);
-  EXPECT_NEAR(state.contacts.neck_radius_squared[0], 0.004 * R * R, 1e-10 * R * R);
+  EXPECT_NEAR(state.contacts.neck_radius_squared[0], (0.03 * 0.03 + 0.004) * R * R, 1e-10 * R * R);
+  EXPECT_NEAR(state.contacts.birth_neck_radius[0], 0.03 * R, 1e-12 * R);
   EXPECT_EQ(state.contacts.birth_time[0], 7.0);
   EXPECT_TRUE(find_prospects(state, 0.1 * R).empty());
 }

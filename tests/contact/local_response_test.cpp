@@ -37,7 +37,7 @@ double integrate_law(const SinteringLaw& which, const Pairing& pair, double r, d
 // f(a) as local_response.hpp defines it, without the multiplier.
 double force_of(const LocalResponse& c, double approach) {
   const auto P = [&](double q) {
-    if (q <= 0.0) return 0.0;
+    q = std::max(q, c.floor);
     return q <= c.cap ? c.viscosity * q * q * q : c.viscosity * c.cap * c.cap * (3.0 * q - 2.0 * c.cap);
   };
   return P(c.start + c.growth * approach) - P(c.start) - c.pull;
@@ -140,8 +140,10 @@ TEST(ClosingResponse, ResistsOnlyOnceTheGapIsClosed) {
   const LocalResponse c = respond_closing(law, equal, {.gap = gap, .approach = 0.0}, delta_b);
   EXPECT_EQ(force_of(c, 0.0), 0.0);
   EXPECT_EQ(force_of(c, gap), 0.0);
-  const double beyond = 1e-9, q = 2.0 * R * beyond;
-  EXPECT_NEAR(force_of(c, gap + beyond) / (pi * q * q * q / (48.0 * R * delta_b)), 1.0, 1e-6);
+  // From the touch on it is a neck of that radius: the same force as (7) gives it.
+  const double beyond = 1e-9, born = born_neck_squared(law, equal, 0.0);
+  const LocalResponse neck = respond(law, equal, {born, born}, delta_b);
+  EXPECT_NEAR(force_of(c, gap + beyond), force_of(neck, beyond) + neck.pull, 1e-9 * neck.pull);
   EXPECT_EQ(c.limit, 0.0);
   EXPECT_EQ(c.sliding, 0.0);
 }

@@ -100,7 +100,7 @@ TEST(Neck, IsBornAtLeastAtTheBirthRatio) {
   law.birth_neck_ratio = 0.03;
   EXPECT_DOUBLE_EQ(born_neck_squared(law, equal, 0.0), std::pow(0.03 * 5e-6, 2));
   EXPECT_DOUBLE_EQ(born_neck_squared(law, equal, -1.0), std::pow(0.03 * 5e-6, 2));
-  EXPECT_DOUBLE_EQ(born_neck_squared(law, equal, 1e-7), 2.0 * 5e-6 * 1e-7);
+  EXPECT_DOUBLE_EQ(born_neck_squared(law, equal, 1e-7), std::pow(0.03 * 5e-6, 2) + 2.0 * 5e-6 * 1e-7);
 }
 
 }  // namespace

@@ -174,7 +174,7 @@ TEST(Edges, AreTheNecksAndThenTheProspects) {
   solve::Problem problem = make_problem(input_of(state, step_of(1.0), copper, prospects), nullptr);
   ASSERT_EQ(problem.edges.size(), 2U);
   EXPECT_GT(problem.edges[0].response.pull, 0.0);
-  EXPECT_NEAR(problem.edges[1].response.start, -0.1, 1e-9);
+  EXPECT_NEAR(problem.edges[1].response.start, 0.03 * 0.03 - 0.1, 1e-9);
   EXPECT_EQ(problem.edges[1].response.pull, 0.0);
   contact::SinteringLaw rigid = copper;
   rigid.closing = contact::Closing::rigid;

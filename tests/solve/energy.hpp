@@ -32,7 +32,8 @@ inline Vec3 contact_motion(const Problem& p, std::size_t k, const std::vector<do
 
 // Integral of P(q) over q.
 inline double integrated_potential(const NormalResponse& r, double q) {
-  if (q <= 0.0) return 0.0;
+  const double at_floor = r.viscosity * r.floor * r.floor * r.floor;
+  if (q <= r.floor) return at_floor * (q - 0.75 * r.floor);
   if (q <= r.cap) return 0.25 * r.viscosity * q * q * q * q;
   const double at_cap = 0.25 * r.viscosity * r.cap * r.cap * r.cap * r.cap;
   const double value = r.viscosity * r.cap * r.cap * r.cap, slope = 3.0 * r.viscosity * r.cap * r.cap;
@@ -41,12 +42,12 @@ inline double integrated_potential(const NormalResponse& r, double q) {
 
 // P(q), with its slope below.
 inline double potential(const NormalResponse& r, double q) {
-  if (q <= 0.0) return 0.0;
+  if (q <= r.floor) return r.viscosity * r.floor * r.floor * r.floor;
   if (q <= r.cap) return r.viscosity * q * q * q;
   return r.viscosity * r.cap * r.cap * (r.cap + 3.0 * (q - r.cap));
 }
 inline double potential_slope(const NormalResponse& r, double q) {
-  const double kept = std::min(std::max(q, 0.0), r.cap);
+  const double kept = q <= r.floor ? 0.0 : std::min(q, r.cap);
   return 3.0 * r.viscosity * kept * kept;
 }
 

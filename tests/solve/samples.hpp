@@ -33,7 +33,8 @@ inline NormalResponse random_response(Kind kind, Dice& dice) {
   r.pull = dice.between(0.5, 3.0);
   if (kind == Kind::beyond_cap) r.start = r.cap * dice.between(1.01, 1.4);
   if (kind == Kind::closing_gap) {
-    r.start = -dice.between(0.01, 0.3);
+    r.floor = dice.between(0.0, 0.2);
+    r.start = r.floor - dice.between(0.01, 0.3);
     r.pull = 0.0;
   }
   r.opens_freely = kind == Kind::opens_freely;
