@@ -86,15 +86,26 @@ std::string contact_words(const Case& whole) {
   return text + ".";
 }
 
-std::string method_words(const Case& whole) {
-  const std::string name = whole.method.name == config::MethodName::contact_dynamics ? "Contact dynamics"
-                           : whole.method.name == config::MethodName::mean_field
-                               ? "Mean field: all move with the strain"
-                           : whole.method.name == config::MethodName::quasi_static ? "Quasi-static"
-                                                                                   : "Explicit dynamics";
-  if (whole.method.time_step)
-    return fmt::format("{}, time step {}.", name, short_time(*whole.method.time_step));
-  return fmt::format("{}, steps controlled to an accuracy of {:.3g}.", name, whole.method.accuracy);
+std::string method_name(const config::Method& method) {
+  switch (method.name) {
+    case config::MethodName::contact_dynamics:
+      return "Contact dynamics";
+    case config::MethodName::quasi_static:
+      return "Quasi-static";
+    case config::MethodName::mean_field:
+      return "Mean field: all move with the strain";
+    case config::MethodName::verlet:
+      return fmt::format("Explicit dynamics (velocity Verlet) with {:.4g} times the real density",
+                         method.density_factor);
+  }
+  return "";
+}
+
+std::string method_words(const config::Method& method) {
+  const std::string name = method_name(method);
+  if (method.time_step) return fmt::format("{}, time step {}.", name, short_time(*method.time_step));
+  if (method.name == config::MethodName::verlet) return name + ", steps at the limit of stability.";
+  return fmt::format("{}, steps controlled to an accuracy of {:.3g}.", name, method.accuracy);
 }
 
 // The properties that differ from those of the built-in material.
@@ -127,7 +138,7 @@ std::string source_of(const config::Material& used) {
 std::vector<std::string> case_in_words(const Case& whole, std::size_t particles) {
   return {fmt::format("{}; {}.", packing_words(whole, particles), cell_words(whole)),
           fmt::format("Sintered {}, until {}.", temperature_words(whole), stop_words(whole)),
-          contact_words(whole), method_words(whole)};
+          contact_words(whole), method_words(whole.method)};
 }
 
 nlohmann::json material_of(const Case& whole) {

@@ -36,6 +36,13 @@ TEST(CaseInWords, NamesWhatTheCaseSays) {
   }
 }
 
+TEST(CaseInWords, SaysWhatExplicitDynamicsDoesToTheMass) {
+  const std::string verlet = std::string(text) + "[method]\nname = \"verlet\"\ndensity_factor = 1e12\n";
+  EXPECT_EQ(case_in_words(config::parse_case(verlet, "test"), 500).back(),
+            "Explicit dynamics (velocity Verlet) with 1e+12 times the real density, steps at the limit of "
+            "stability.");
+}
+
 TEST(MaterialOf, TellsWhatTheCaseOverrides) {
   const auto material = material_of(config::parse_case(text, "test"));
   const std::string source = material["source"];
