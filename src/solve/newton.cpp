@@ -17,6 +17,24 @@
 namespace frit::solve {
 namespace {
 
+// Penalties for the iterations. A rigid stop takes a stiff one. A multiplier that a force of known size
+// limits takes a soft one, if asked: with a stiff one it comes into force within a hair's breadth, which
+// Newton's method cannot see coming.
+std::vector<double> penalties(const Problem& problem, const Options& options) {
+  std::vector<double> penalty = reference_penalty(problem, 1.0);
+  for (std::size_t k = 0; k < penalty.size(); ++k) {
+    const bool is_rigid = std::isinf(problem.edges[k].response.limit);
+    if (is_rigid || !options.soft_limits) penalty[k] *= options.penalty_factor;
+  }
+  return penalty;
+}
+
+double largest_factor(const Problem& problem, const Options& options) {
+  const bool has_rigid_stops = std::any_of(problem.edges.begin(), problem.edges.end(),
+                                           [](const Edge& edge) { return std::isinf(edge.response.limit); });
+  return has_rigid_stops || !options.soft_limits ? options.penalty_factor : 1.0;
+}
+
 class NewtonSolve {
  public:
   NewtonSolve(const Problem& problem, const Options& options, Solution& solution)
@@ -25,7 +43,8 @@ class NewtonSolve {
         solution_(solution),
         gradient_(problem),
         penalty_(reference_penalty(problem, 1.0)),
-        stiff_penalty_(reference_penalty(problem, options.penalty_factor)),
+        stiff_penalty_(penalties(problem, options)),
+        stiffening_(largest_factor(problem, options)),
         linear_(problem),
         opens_freely_(std::any_of(problem.edges.begin(), problem.edges.end(),
                                   [](const Edge& edge) { return edge.response.opens_freely; })),
@@ -121,7 +140,7 @@ class NewtonSolve {
 
   // Forces balance well enough that what is left is the violation of the sets.
   bool multipliers_are_due() const {
-    const double stiff_violation = options_.penalty_factor * residual_.admissible;
+    const double stiff_violation = stiffening_ * residual_.admissible;
     return residual_.admissible > options_.tolerance &&
            residual_.force <= std::max(0.5 * options_.tolerance, 0.05 * stiff_violation);
   }
@@ -257,6 +276,7 @@ class NewtonSolve {
   Solution& solution_;
   Gradient gradient_;
   std::vector<double> penalty_, stiff_penalty_;
+  double stiffening_;  // largest ratio of the second to the first
   LinearSolver linear_;
   std::unique_ptr<PatchMaker> patches_;  // made when first needed
   bool opens_freely_;
@@ -321,12 +341,20 @@ Report solve_with_falling_inertia(const Problem& problem, const Options& options
 }  // namespace
 
 Report solve_newton(const Problem& problem, const Options& options, Solution& solution) {
+  const Solution start = solution;
   Report before;
   const bool rests = options.settles_mechanisms || options.mechanisms_at_rest;
   if (rests && is_central(problem)) before = solve_with_falling_inertia(problem, options, solution);
   Report report = NewtonSolve(problem, options, solution).run();
   add_cost(before, report);
-  return report;
+  if (report.converged || !options.soft_limits || largest_factor(problem, options) > 1.0) return report;
+  // Where nothing but soft multipliers resists (a long chain in a huge step) iterations may go to and fro.
+  Options stiff = options;
+  stiff.soft_limits = false;
+  solution = start;
+  Report again = solve_newton(problem, stiff, solution);
+  add_cost(report, again);
+  return again;
 }
 
 }  // namespace frit::solve

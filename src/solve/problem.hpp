@@ -21,7 +21,8 @@ namespace frit::solve {
 
 // Normal force of an edge, positive when it repels, as a function of the approach a in the step:
 //     f(a) = P(start + growth a) - P(start) - pull + l,
-//     P(q) = viscosity q^3 for floor <= q <= cap, constant below, continued by its tangent above;
+//     P(q) = viscosity q^3 for floor <= q <= cap, constant below, continued by its tangent above
+//     (a floor above zero: the slope sets in over three tenths of it, response.hpp);
 //     l = 0 for a < threshold, limit for a > threshold, any value of [0, limit] at a = threshold.
 // With `opens_freely` the bracket P - P is never negative (unilateral pull). A rigid contact with a gap g has
 // viscosity 0, threshold g and limit infinity: 0 <= g - a perpendicular to f >= 0 (theory.md, eqs. 7 to 10).
@@ -126,7 +127,8 @@ struct Options {
   // Bodies start the step from rest, so nothing moves along a mechanism. settles: nor does what the start may
   // have of one survive; at_rest: the start has nothing.
   bool settles_mechanisms = false, mechanisms_at_rest = false;
-  double penalty_factor = 30.0;  // stiffness of a multiplier over that of its surroundings
+  double penalty_factor = 30.0;  // stiffness of a rigid stop over that of its surroundings
+  bool soft_limits = true;       // limited multipliers are first taken as stiff as their surroundings
 };
 
 }  // namespace frit::solve

@@ -7,11 +7,26 @@
 
 namespace frit::solve {
 
-// P(q) of problem.hpp.
+// Width in q over which the resistance of a neck born in the step sets in: a jump would leave bodies that
+// touch without force to either side of it, as round-off has it.
+inline double onset(const NormalResponse& r) {
+  return std::min(0.3 * r.floor, std::max(0.0, r.cap - r.floor));
+}
+
+// P(q) of problem.hpp, measured from P(floor).
 inline double viscous_potential(const NormalResponse& r, double q) {
-  if (q <= r.floor) return r.viscosity * r.floor * r.floor * r.floor;
-  if (q <= r.cap) return r.viscosity * q * q * q;
-  return r.viscosity * r.cap * r.cap * (3.0 * q - 2.0 * r.cap);
+  if (q <= r.floor) return 0.0;
+  const double width = onset(r), full = r.floor + width;
+  const double s = std::min(q - r.floor, width);
+  double potential = 0.0;
+  if (width > 0.0) {
+    potential = 3.0 * r.viscosity / width * s * s *
+                (0.5 * r.floor * r.floor + 2.0 / 3.0 * r.floor * s + 0.25 * s * s);
+  }
+  if (q <= full) return potential;
+  const double kept = std::min(q, r.cap);
+  potential += r.viscosity * (kept - full) * (kept * kept + kept * full + full * full);
+  return q <= r.cap ? potential : potential + 3.0 * r.viscosity * r.cap * r.cap * (q - r.cap);
 }
 
 // A unilateral contact that opens: it pulls with a constant force and resists nothing (theory.md, eq. 8).
@@ -21,7 +36,7 @@ inline bool is_open(const NormalResponse& r, double approach) { return r.opens_f
 inline double viscous_force(const NormalResponse& r, double approach) {
   if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
   const double q0 = r.start, q1 = q0 + r.growth * approach;
-  if (q0 >= r.floor && q0 <= r.cap && q1 >= r.floor && q1 <= r.cap) {
+  if (r.floor == 0.0 && q0 >= 0.0 && q0 <= r.cap && q1 >= 0.0 && q1 <= r.cap) {
     return r.viscosity * r.growth * approach * (q0 * q0 + q0 * q1 + q1 * q1);
   }
   if (q0 >= r.cap && q1 >= r.cap) return 3.0 * r.viscosity * r.cap * r.cap * r.growth * approach;
@@ -33,7 +48,8 @@ inline double viscous_tangent(const NormalResponse& r, double approach) {
   if (r.viscosity == 0.0 || is_open(r, approach)) return 0.0;
   const double q = std::min(r.start + r.growth * approach, r.cap);
   if (q <= r.floor) return 0.0;
-  return 3.0 * r.viscosity * r.growth * q * q;
+  const double share = q < r.floor + onset(r) ? (q - r.floor) / onset(r) : 1.0;
+  return share * 3.0 * r.viscosity * r.growth * q * q;
 }
 
 // Multiplier of the augmented Lagrangian: projection of l + penalty (a - threshold) on [0, limit].

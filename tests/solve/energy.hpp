@@ -30,25 +30,33 @@ inline Vec3 contact_motion(const Problem& p, std::size_t k, const std::vector<do
   return point_of_i - point_of_j;
 }
 
-// Integral of P(q) over q.
-inline double integrated_potential(const NormalResponse& r, double q) {
-  const double at_floor = r.viscosity * r.floor * r.floor * r.floor;
-  if (q <= r.floor) return at_floor * (q - 0.75 * r.floor);
-  if (q <= r.cap) return 0.25 * r.viscosity * q * q * q * q;
-  const double at_cap = 0.25 * r.viscosity * r.cap * r.cap * r.cap * r.cap;
-  const double value = r.viscosity * r.cap * r.cap * r.cap, slope = 3.0 * r.viscosity * r.cap * r.cap;
-  return at_cap + value * (q - r.cap) + 0.5 * slope * (q - r.cap) * (q - r.cap);
-}
-
-// P(q), with its slope below.
-inline double potential(const NormalResponse& r, double q) {
-  if (q <= r.floor) return r.viscosity * r.floor * r.floor * r.floor;
-  if (q <= r.cap) return r.viscosity * q * q * q;
-  return r.viscosity * r.cap * r.cap * (r.cap + 3.0 * (q - r.cap));
-}
+// The slope of P(q), with its onset over three tenths of the floor, and its integrals from the floor, piece
+// by piece, by a rule that is exact for them.
 inline double potential_slope(const NormalResponse& r, double q) {
-  const double kept = q <= r.floor ? 0.0 : std::min(q, r.cap);
-  return 3.0 * r.viscosity * kept * kept;
+  if (q <= r.floor) return 0.0;
+  const double onset = 0.3 * r.floor, kept = std::min(q, r.cap);
+  const double share = q < r.floor + onset ? (q - r.floor) / onset : 1.0;
+  return share * 3.0 * r.viscosity * kept * kept;
+}
+template <class Function>
+double integral(const NormalResponse& r, double q, const Function& function) {
+  double sum = 0.0, from = r.floor;
+  for (const double to : {1.3 * r.floor, r.cap, std::max(q, r.cap)}) {
+    const double end = std::min(q, to), h = end - from;
+    if (h <= 0.0) continue;
+    const auto at = [&](double share) { return function(from + share * h); };
+    sum += h / 90.0 * (7.0 * at(0.0) + 32.0 * at(0.25) + 12.0 * at(0.5) + 32.0 * at(0.75) + 7.0 * at(1.0));
+    from = end;
+  }
+  return sum;
+}
+inline double potential(const NormalResponse& r, double q) {
+  if (r.floor == 0.0 && q <= r.cap) return q <= 0.0 ? 0.0 : r.viscosity * q * q * q;  // without round-off
+  if (r.floor == 0.0) return r.viscosity * r.cap * r.cap * (r.cap + 3.0 * (q - r.cap));
+  return integral(r, q, [&](double p) { return potential_slope(r, p); });
+}
+inline double integrated_potential(const NormalResponse& r, double q) {
+  return integral(r, q, [&](double p) { return potential(r, p); });
 }
 
 inline double viscous_energy(const NormalResponse& r, double approach) {

@@ -51,8 +51,10 @@ TEST(ViscousForce, OfANeckBornInTheStepIsThatOfItsSizeAtBirth) {
   old.start = 0.3;
   EXPECT_EQ(viscous_force(born, 0.05), 0.0);
   EXPECT_EQ(viscous_tangent(born, 0.04), 0.0);
-  EXPECT_NEAR(viscous_force(born, 0.15), viscous_force(old, 0.1), 1e-15);
   EXPECT_NEAR(viscous_tangent(born, 0.15), viscous_tangent(old, 0.1), 1e-14);
+  // All but half of what the resistance does in its onset, over three tenths of the size at birth.
+  const double missing = viscous_force(old, 0.1) - viscous_force(born, 0.15);
+  EXPECT_NEAR(missing, 0.5 * 0.09 * 3.0 * born.viscosity * 0.3 * 0.3, 0.25 * missing);
 }
 
 TEST(ViscousForce, IsNeverNegativeWhereTheContactOpensFreely) {
@@ -84,7 +86,6 @@ TEST(ViscousForce, HasTheTangentAsItsSlope) {
       const NormalResponse r = testing::random_response(kind, dice);
       const double a = dice.between(-0.5, 0.5);
       if (r.opens_freely && std::abs(a) < 2.0 * h) continue;
-      if (std::abs(r.start + r.growth * a - r.floor) < 2.0 * r.growth * h) continue;  // a corner: the touch
       const double quotient = (viscous_force(r, a + h) - viscous_force(r, a - h)) / (2.0 * h);
       ASSERT_NEAR(quotient, viscous_tangent(r, a), 1e-4);
     }
