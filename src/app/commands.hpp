@@ -21,6 +21,6 @@ void add_replay(CLI::App& app, Command& chosen);
 void add_analyze(CLI::App& app, Command& chosen);
 void add_compare(CLI::App& app, Command& chosen);
 void add_report(CLI::App& app, Command& chosen);
-void add_planned(CLI::App& app, Command& chosen);  // resume
+void add_resume(CLI::App& app, Command& chosen);
 
 }  // namespace frit::app

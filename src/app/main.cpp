@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   for (const auto add :
        {frit::app::add_run, frit::app::add_check, frit::app::add_describe, frit::app::add_materials,
         frit::app::add_pack, frit::app::add_convert, frit::app::add_replay, frit::app::add_analyze,
-        frit::app::add_compare, frit::app::add_report, frit::app::add_planned}) {
+        frit::app::add_compare, frit::app::add_report, frit::app::add_resume}) {
     add(app, chosen);
   }
   try {

@@ -37,6 +37,11 @@ std::string start_text(const run::Setup& setup) {
                      setup.state.contacts.size(), density_text(setup.density));
 }
 
+std::string resume_text(const run::ResumeView& view) {
+  return fmt::format("goes on from {:.6g} s, relative density {}, step {}", view.state.time,
+                     density_text(observe::value_of(view.row, "relative_density")), view.totals.steps);
+}
+
 std::string end_text(const run::EndView& view) {
   const run::Totals& totals = view.totals;
   const auto seconds = [&](run::Stage stage) { return view.clock.spent(stage).wall; };
@@ -61,6 +66,8 @@ class Bar : public run::RunListener {
     fmt::print("{}\n", start_text(setup));
     std::fflush(stdout);
   }
+
+  void resumed(const run::ResumeView& view) override { fmt::print("{}\n", resume_text(view)); }
 
   void step_made(const run::StepView& view) override {
     const auto now = Clock::now();
@@ -100,6 +107,7 @@ class Lines : public run::RunListener {
     tell_warnings(setup);
     fmt::print("{}\n", start_text(setup));
   }
+  void resumed(const run::ResumeView& view) override { fmt::print("{}\n", resume_text(view)); }
   void row_written(const run::RowView& view) override {
     const auto value = [&](const char* name) { return observe::value_of(view.row, name); };
     fmt::print("time {:.6g} s, relative density {}, neck ratio {:.4f}, step {}, iterations {}\n",
@@ -110,7 +118,7 @@ class Lines : public run::RunListener {
   void finished(const run::EndView& view) override { fmt::print("{}\n", end_text(view)); }
 };
 
-// An object per line: {"event": "started" | "row" | "finished", ...}.
+// An object per line: {"event": "started" | "resumed" | "row" | "finished", ...}.
 class JsonLines : public run::RunListener {
  public:
   void started(const run::Setup& setup) override {
@@ -119,6 +127,9 @@ class JsonLines : public run::RunListener {
            {"particles", setup.state.particles.size()},
            {"contacts", setup.state.contacts.size()},
            {"warnings", setup.warnings}});
+  }
+  void resumed(const run::ResumeView& view) override {
+    print({{"event", "resumed"}, {"steps", view.totals.steps}, {"row", run::json_of(view.row)}});
   }
   void row_written(const run::RowView& view) override {
     print({{"event", "row"}, {"row", run::json_of(view.row)}});

@@ -408,8 +408,8 @@ std::vector<Key> output_keys() {
        .slot = in_case<&Case::output, &Output::checkpoint_every_steps>(),
        .fallback = "0",
        .range = not_negative,
-       .status = not_yet,
-       .sentence = "Steps between checkpoints; 0: by wall clock, every 5 minutes."},
+       .sentence =
+           "Steps between checkpoints, from which frit resume goes on; 0: by wall clock, every 5 minutes."},
   };
 }
 

@@ -22,6 +22,9 @@ class StepControl {
   // Duration to try next [s]; the caller may take less to hit a time, not more.
   double proposed() const { return proposed_; }
 
+  // Goes on from what was proposed before an interruption.
+  void go_on_from(double proposed) { proposed_ = proposed; }
+
   // Learns from an attempt, accepted or not.
   void learn(const StepReport& report);
 

@@ -3,7 +3,9 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <unistd.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <limits>
@@ -33,20 +35,24 @@ FileDescriptor open_series(const std::filesystem::path& path, int flags) {
   return file;
 }
 
-// Bytes of the header and the first kept_rows rows.
-std::size_t find_kept_bytes(const std::string& text, const std::filesystem::path& path,
-                            std::size_t kept_rows) {
-  std::size_t end = 0;
-  for (std::size_t row = 0; row <= kept_rows; ++row) {
-    const auto line_end = text.find('\n', end);
-    if (line_end == text.npos) {
-      throw InputError(
-          fmt::format("{}: {} rows are needed to go on, but only {} are there; has the file been changed?",
-                      path.string(), kept_rows, row == 0 ? 0 : row - 1));
-    }
-    end = line_end + 1;
+void add_to(SeriesExtent& extent, std::string_view text) {
+  extent.bytes += static_cast<std::int64_t>(text.size());
+  extent.checksum = static_cast<std::uint32_t>(
+      crc32_z(extent.checksum, reinterpret_cast<const Bytef*>(text.data()), text.size()));
+}
+
+void check_kept(const std::filesystem::path& path, const std::string& text, const SeriesExtent& kept) {
+  const auto complain = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: {} are needed to go on, but {}; has the file been changed since?",
+                                 path.string(), fmt::format("{} rows", kept.rows), what));
+  };
+  if (std::cmp_less(text.size(), kept.bytes)) {
+    const auto ends = std::count(text.begin(), text.end(), '\n');
+    complain(fmt::format("only {} are there", std::max<std::ptrdiff_t>(0, ends - 1)));
   }
-  return end;
+  SeriesExtent found;
+  add_to(found, std::string_view(text).substr(0, static_cast<std::size_t>(kept.bytes)));
+  if (found.checksum != kept.checksum) complain("they are not those of this run");
 }
 
 }  // namespace
@@ -60,17 +66,18 @@ SeriesWriter::SeriesWriter(const std::filesystem::path& path, std::span<const st
 }
 
 SeriesWriter SeriesWriter::resume(const std::filesystem::path& path, std::span<const std::string> columns,
-                                  std::size_t kept_rows) {
+                                  const SeriesExtent& kept) {
   const auto text = read_file_whole(path);
   if (!text.starts_with(header_line(columns))) {
     throw InputError(
         fmt::format("{}:1: the header is not that of this run; has the file been changed?", path.string()));
   }
-  const auto kept_bytes = static_cast<off_t>(find_kept_bytes(text, path, kept_rows));
+  check_kept(path, text, kept);
   SeriesWriter writer(path, columns.size(), open_series(path, O_APPEND));
-  if (::ftruncate(writer.file_.get(), kept_bytes) != 0) {
+  if (::ftruncate(writer.file_.get(), kept.bytes) != 0) {
     throw_machine_error(path, "cutting the series at the checkpoint", errno);
   }
+  writer.extent_ = kept;
   return writer;
 }
 
@@ -82,10 +89,12 @@ void SeriesWriter::write_row(std::span<const double> values) {
     if (!std::isnan(values[column])) append_number(line, values[column]);
   }
   append(line + "\n");
+  ++extent_.rows;
 }
 
-void SeriesWriter::flush_to_disk() {
+const SeriesExtent& SeriesWriter::flush_to_disk() {
   if (::fsync(file_.get()) != 0) throw_machine_error(path_, "flushing the series to disk", errno);
+  return extent_;
 }
 
 void SeriesWriter::append(const std::string& line) {
@@ -97,6 +106,7 @@ void SeriesWriter::append(const std::string& line) {
     if (end >= 0) std::ignore = ::ftruncate(file_.get(), end);
     throw;
   }
+  add_to(extent_, line);
 }
 
 Series read_series(const std::filesystem::path& path) {

@@ -130,4 +130,16 @@ void write_file_whole(const std::filesystem::path& path, std::string_view bytes)
   flush_folder(path);
 }
 
+void write_file_keeping(const std::filesystem::path& path, const std::filesystem::path& previous,
+                        std::string_view bytes) {
+  refuse_special_file(path);
+  TemporaryFile temporary(path);
+  temporary.write(bytes);
+  if (std::rename(path.c_str(), previous.c_str()) != 0 && errno != ENOENT) {
+    throw_machine_error(previous, "keeping the previous file under this name", errno);
+  }
+  temporary.move_into_place();
+  flush_folder(path);
+}
+
 }  // namespace frit::io

@@ -38,4 +38,9 @@ void write_all(const FileDescriptor& file, std::string_view bytes, const std::fi
 // On MachineError the path keeps what it held before and the new file is removed.
 void write_file_whole(const std::filesystem::path& path, std::string_view bytes);
 
+// The same, and what `path` held before is afterwards under `previous` in the same folder. At every moment
+// one of the two names holds the old bytes, or `path` the new ones.
+void write_file_keeping(const std::filesystem::path& path, const std::filesystem::path& previous,
+                        std::string_view bytes);
+
 }  // namespace frit::io

@@ -1,7 +1,10 @@
 // Folders for results: made when needed, never taken over by mistake.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+
+#include "io/write_file.hpp"
 
 namespace frit::run {
 
@@ -15,5 +18,19 @@ void check_result_folder(const std::filesystem::path& folder, Existing existing)
 
 // Removes the files of an earlier run, and nothing else. MachineError where that fails.
 void remove_results(const std::filesystem::path& folder);
+
+// Removes what does not belong to a run that goes on after its first `kept_snapshots` snapshots: later ones,
+// what its last end wrote, and unfinished files of killed processes. MachineError where that fails.
+void remove_what_follows(const std::filesystem::path& folder, std::int64_t kept_snapshots);
+
+// Holds a folder of results for one run as long as it lives; leaves nothing behind.
+class FolderLock {
+ public:
+  // Throws InputError when another run holds it.
+  explicit FolderLock(const std::filesystem::path& folder);
+
+ private:
+  io::FileDescriptor folder_;
+};
 
 }  // namespace frit::run

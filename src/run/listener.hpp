@@ -5,6 +5,7 @@
 
 #include "integrate/stepper.hpp"
 #include "observe/row.hpp"
+#include "run/checkpoint.hpp"
 #include "run/setup.hpp"
 #include "run/stage_clock.hpp"
 #include "run/totals.hpp"
@@ -33,6 +34,13 @@ struct RowView {
   double delta_b;  // [m^5/(N s)], now
 };
 
+// A run that goes on: where, and the row of the state it goes on from.
+struct ResumeView {
+  const State& state;
+  const observe::Row& row;
+  const Totals& totals;
+};
+
 struct EndView {
   const Ending& ending;
   const observe::Row& row;  // of the last state
@@ -41,12 +49,15 @@ struct EndView {
   const integrate::FailedSolve* failed = nullptr;  // the problem that could not be solved, if one
 };
 
-// Called in this order: started once, then step_made and row_written, then finished once. References hold
+// Called in this order: started once, then row_written (or resumed, where an interrupted run goes on), then
+// step_made and row_written, then finished once; checkpoint_due between steps and at the end. References hold
 // during the call; that to the setup until finished.
 class RunListener {
  public:
   virtual ~RunListener() = default;
   virtual void started(const Setup&) {}
+  virtual void resumed(const ResumeView&) {}
+  virtual void checkpoint_due(const Standing&) {}
   virtual void step_made(const StepView&) {}
   virtual void row_written(const RowView&) {}
   virtual void finished(const EndView&) {}

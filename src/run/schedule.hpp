@@ -27,6 +27,10 @@ class Schedule {
   // Time steps until the next output that is asked for by their number; endless without any.
   std::int64_t steps_left(std::int64_t steps) const;
 
+  // What the schedule remembers: the density's level passed last, in multiples of output.every_density.
+  std::int64_t level() const { return level_; }
+  void go_on_from(std::int64_t level) { level_ = level; }
+
   // Whether an output is due at this end of a step; remembers what has been written.
   bool is_due(const Moment& moment);
 

@@ -47,7 +47,8 @@ void rename_rows(const std::vector<std::int32_t>& order, contact::GivenNecks& ne
   }
 }
 
-State make_state(const config::Case& whole, const contact::SinteringLaw& law, FaultTexts& faults) {
+State make_state(const config::Case& whole, const contact::SinteringLaw& law) {
+  FaultTexts faults;
   generate::Packing packing = make_packing(whole);
   check_spheres(whole, packing, faults);
   std::optional<contact::GivenNecks> necks = collect_necks(whole, packing.particles.size(), faults);
@@ -96,11 +97,15 @@ std::unique_ptr<integrate::Stepper> make_stepper(const Setup& setup) {
 }
 
 Setup make_setup(const config::Case& whole) {
+  State start = make_state(whole, step_settings_of(whole).law);
+  start.temperature = heating_of(whole).start;
+  return make_setup(whole, std::move(start));
+}
+
+Setup make_setup(const config::Case& whole, State state) {
   FaultTexts faults;
   const integrate::StepSettings settings = step_settings_of(whole);
   const Heating heating = heating_of(whole);
-  State state = make_state(whole, settings.law, faults);
-  state.temperature = heating.start;
   observe::Reference reference = observe::take_reference(state);
   const double density = observe::relative_density(reference, state);
   check_contacts(whole, state, faults);

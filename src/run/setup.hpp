@@ -35,6 +35,8 @@ struct Setup {
 // Throws InputError with every fault of the packing, its contacts and its groups, and of what the case asks
 // of them.
 Setup make_setup(const config::Case& whole);
+// The same from a start that is known, with its particles along the curve and its first contacts.
+Setup make_setup(const config::Case& whole, State start);
 
 // What advances the states of this run: by implicit or by explicit steps. The setup must outlive it.
 std::unique_ptr<integrate::Stepper> make_stepper(const Setup& setup);

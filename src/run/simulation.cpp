@@ -11,7 +11,8 @@
 namespace frit::run {
 namespace {
 
-constexpr int not_computed = 3, stopped_by_signal = 128;  // exit codes; the signal's number is added
+constexpr int not_computed = 3, out_of_time = 4;
+constexpr int stopped_by_signal = 128;  // the signal's number is added
 
 // A stretch of dimensionless time in which nothing moves, and one in which something must have.
 constexpr double frozen_tau = 1e-30, patient_tau = 10.0;
@@ -33,10 +34,10 @@ double duration_between(double from, double to) {
 
 }  // namespace
 
-Simulation::Simulation(const Setup& setup, StageClock& clock, Interrupt interrupt)
+Simulation::Simulation(const Setup& setup, StageClock& clock, Requests requests)
     : setup_(setup),
       clock_(clock),
-      interrupt_(std::move(interrupt)),
+      watch_(std::move(requests), setup.whole.output.checkpoint_every_steps),
       stepper_(make_stepper(setup)),
       control_(setup.limits, stepper_->first_duration(setup.state)),
       schedule_(setup.whole.output, setup.whole.stop, setup.heating.ramp_ends, setup.density),
@@ -44,13 +45,40 @@ Simulation::Simulation(const Setup& setup, StageClock& clock, Interrupt interrup
       density_(setup.density),
       last_change_{setup.density, setup.state.theta} {}
 
-std::optional<Ending> Simulation::reached_end() const {
-  const config::Stop& stop = setup_.whole.stop;
-  if (stop.time && state_.time >= *stop.time) return Ending{0, "stop.time is reached"};
-  if (stop.relative_density && density_ >= *stop.relative_density * (1.0 - density_tolerance))
+void Simulation::go_on_from(State state, const Progress& progress) {
+  state_ = std::move(state);
+  control_.go_on_from(progress.proposed_duration);
+  schedule_.go_on_from(progress.output_level);
+  density_ = progress.density;
+  last_change_ = {progress.changed_density, progress.changed_theta};
+  totals_ = progress.totals;
+  row_step_ = progress.row_step;
+  watch_.lap(totals_.steps);
+  is_resumed_ = true;
+}
+
+Progress Simulation::progress() const {
+  return {.density = density_,
+          .proposed_duration = control_.proposed(),
+          .output_level = schedule_.level(),
+          .changed_density = last_change_.density,
+          .changed_theta = last_change_.theta,
+          .row_step = row_step_,
+          .totals = totals_};
+}
+
+std::optional<Ending> reached_stop(const config::Stop& stop, double time, double density) {
+  if (stop.time && time >= *stop.time) return Ending{0, "stop.time is reached"};
+  if (stop.relative_density && density >= *stop.relative_density * (1.0 - density_tolerance))
     return Ending{0, "stop.relative_density is reached"};
-  if (const int signal = interrupt_ ? interrupt_() : 0; signal != 0)
+  return std::nullopt;
+}
+
+std::optional<Ending> Simulation::reached_end() const {
+  if (const auto ending = reached_stop(setup_.whole.stop, state_.time, density_)) return ending;
+  if (const int signal = watch_.signal(); signal != 0)
     return Ending{stopped_by_signal + signal, fmt::format("stopped by signal {}", signal)};
+  if (watch_.runs_out()) return Ending{out_of_time, "--max-wall would pass in the next step"};
   return why_nothing_moves();
 }
 
@@ -186,8 +214,17 @@ void Simulation::write_row(std::span<RunListener* const> listeners) {
   for (RunListener* listener : listeners) listener->row_written(view);
 }
 
+void Simulation::tell_checkpoint(std::span<RunListener* const> listeners) const {
+  const Progress now = progress();
+  for (RunListener* listener : listeners) listener->checkpoint_due({state_, now});
+}
+
+// The row of an early end is not one that an uninterrupted run would have, so the checkpoint comes before it.
 void Simulation::finish(const Ending& ending, std::span<RunListener* const> listeners) {
+  clock_.enter(Stage::output);
+  if (ending.code != 0) tell_checkpoint(listeners);
   if (row_step_ != totals_.steps) write_row(listeners);
+  if (ending.code == 0) tell_checkpoint(listeners);
   clock_.enter(Stage::output);
   EndView view{ending, row_, totals_, clock_};
   const bool unsolved = ending.code == not_computed && last_report_.verdict == integrate::Verdict::not_solved;
@@ -198,7 +235,12 @@ void Simulation::finish(const Ending& ending, std::span<RunListener* const> list
 Ending Simulation::run(std::span<RunListener* const> listeners) {
   clock_.enter(Stage::output);
   for (RunListener* listener : listeners) listener->started(setup_);
-  write_row(listeners);
+  if (is_resumed_) {
+    row_ = observed_row();
+    for (RunListener* listener : listeners) listener->resumed({state_, row_, totals_});
+  } else {
+    write_row(listeners);
+  }
   std::optional<Ending> ending = reached_end();
   while (!ending) {
     clock_.enter(Stage::step);
@@ -208,6 +250,8 @@ Ending Simulation::run(std::span<RunListener* const> listeners) {
     const StepView view{state_, last_report_, totals_, density_};
     for (RunListener* listener : listeners) listener->step_made(view);
     if (schedule_.is_due({state_.time, density_, totals_.steps})) write_row(listeners);
+    watch_.lap(totals_.steps);
+    if (watch_.takes_checkpoint()) tell_checkpoint(listeners);
     ending = reached_end();
   }
   finish(*ending, listeners);

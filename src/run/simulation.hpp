@@ -1,7 +1,6 @@
 // The outer loop of a run: steps until a stop, outputs on the way, everyone told who listens.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,16 +11,20 @@
 #include "run/listener.hpp"
 #include "run/schedule.hpp"
 #include "run/setup.hpp"
+#include "run/wall_watch.hpp"
 
 namespace frit::run {
 
-// The signal that asks the run to end after this step; 0: none.
-using Interrupt = std::function<int()>;
+// How a run ends at this time [s] and relative density, if these are what it was to reach.
+std::optional<Ending> reached_stop(const config::Stop& stop, double time, double density);
 
 class Simulation {
  public:
   // The setup must outlive the simulation.
-  Simulation(const Setup& setup, StageClock& clock, Interrupt interrupt = {});
+  Simulation(const Setup& setup, StageClock& clock, Requests requests = {});
+
+  // Before run: from a checkpoint of the same setup (its stops may differ) instead of from the start.
+  void go_on_from(State state, const Progress& progress);
 
   // Runs to the end and tells the listeners. Whatever they throw comes out.
   Ending run(std::span<RunListener* const> listeners);
@@ -41,7 +44,9 @@ class Simulation {
   void accept(Landing&& landing);
   Ending give_up() const;
   observe::Row observed_row() const;
+  Progress progress() const;
   void write_row(std::span<RunListener* const> listeners);
+  void tell_checkpoint(std::span<RunListener* const> listeners) const;
   void finish(const Ending& ending, std::span<RunListener* const> listeners);
 
   // Where the density last changed by more than nothing.
@@ -51,7 +56,7 @@ class Simulation {
 
   const Setup& setup_;
   StageClock& clock_;
-  Interrupt interrupt_;
+  WallWatch watch_;
   std::unique_ptr<integrate::Stepper> stepper_;
   integrate::StepControl control_;
   Schedule schedule_;
@@ -61,6 +66,7 @@ class Simulation {
   Totals totals_;
   integrate::StepReport last_report_;
   observe::Row row_;
+  bool is_resumed_ = false;
   std::int64_t row_step_ = -1;  // steps made when the last row was written
 };
 

@@ -67,15 +67,23 @@ SnapshotWriter::SnapshotWriter(const std::filesystem::path& folder) : folder_(fo
   make_folder(folder_ / "snapshots");
 }
 
+SnapshotWriter::SnapshotWriter(const std::filesystem::path& folder, const std::vector<double>& times)
+    : SnapshotWriter(folder) {
+  for (const double time : times) add_entries(time);
+  io::write_pvd(folder_ / "snapshots.pvd", entries_);
+}
+
+void SnapshotWriter::add_entries(double time) {
+  const std::size_t number = entries_.size() / 2;
+  entries_.push_back({time, fmt::format("snapshots/particles_{:06}.vtp", number), 0, "particles"});
+  entries_.push_back({time, fmt::format("snapshots/contacts_{:06}.vtp", number), 1, "contacts"});
+}
+
 void SnapshotWriter::write(const observe::Reference& reference, const State& ordered,
                            const NeckArrays& necks) {
-  const std::size_t number = entries_.size() / 2;
-  const std::string particles = fmt::format("snapshots/particles_{:06}.vtp", number);
-  const std::string contacts = fmt::format("snapshots/contacts_{:06}.vtp", number);
-  io::write_vtp(folder_ / particles, particle_frame(reference, ordered));
-  io::write_vtp(folder_ / contacts, contact_frame(ordered, necks));
-  entries_.push_back({ordered.time, particles, 0, "particles"});
-  entries_.push_back({ordered.time, contacts, 1, "contacts"});
+  add_entries(ordered.time);
+  io::write_vtp(folder_ / entries_.end()[-2].file, particle_frame(reference, ordered));
+  io::write_vtp(folder_ / entries_.end()[-1].file, contact_frame(ordered, necks));
   io::write_pvd(folder_ / "snapshots.pvd", entries_);
 }
 

@@ -24,10 +24,15 @@ class SnapshotWriter {
   // Makes folder/snapshots. MachineError where it cannot be made.
   explicit SnapshotWriter(const std::filesystem::path& folder);
 
+  // Goes on after the snapshots of these times [s], which are there.
+  SnapshotWriter(const std::filesystem::path& folder, const std::vector<double>& times);
+
   // MachineError as io::write_file_whole.
   void write(const observe::Reference& reference, const State& ordered, const NeckArrays& necks);
 
  private:
+  void add_entries(double time);
+
   std::filesystem::path folder_;
   std::vector<io::PvdEntry> entries_;
 };

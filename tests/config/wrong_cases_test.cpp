@@ -154,15 +154,12 @@ TEST(WrongCase, TemperatureProgrammes) {
 
 TEST(WrongCase, KeysAndValuesNotAvailableYet) {
   const WrongCase samples[] = {
-      {"[output]\ncheckpoint_every_steps = 10\n",
-       "output.checkpoint_every_steps: not available yet; allowed: 0"},
       {"[[wall]]\nx = 1\n", "case.toml:7: wall: not available yet"},
       {"[load]\ngravity = 9.81\n", "load: not available yet"},
       {"[[particles]]\nids = [1]\ninert = true\n", "particles[0].inert: not available yet"},
   };
   for (const auto& sample : samples) expect_one_fault(sample);
   EXPECT_TRUE(faults_of(least_case + "[method]\ndensity_factor = 1.0\n").empty());
-  EXPECT_TRUE(faults_of(least_case + "[output]\ncheckpoint_every_steps = 0\n").empty());
 }
 
 TEST(WrongCase, UnknownKeysNameTheNearest) {

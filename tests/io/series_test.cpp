@@ -40,24 +40,46 @@ TEST(Series, GoingOnGivesTheSameBytesAsNeverStopping) {
   const auto row = [](int k) { return std::vector{k / 3.0, nan, 1.0 * k}; };
   SeriesWriter straight(folder / "a.csv", columns);
   for (int k = 0; k < 6; ++k) straight.write_row(row(k));
+  SeriesExtent kept;
   {
     SeriesWriter first(folder / "b.csv", columns);
-    for (int k = 0; k < 5; ++k) first.write_row(row(k));
+    for (int k = 0; k < 3; ++k) first.write_row(row(k));
+    kept = first.flush_to_disk();
+    for (int k = 3; k < 5; ++k) first.write_row(row(k));
   }
+  EXPECT_EQ(kept.rows, 3);
   std::ofstream(folder / "b.csv", std::ios::app) << "1.66,to";
-  auto second = SeriesWriter::resume(folder / "b.csv", columns, 3);
+  auto second = SeriesWriter::resume(folder / "b.csv", columns, kept);
   for (int k = 3; k < 6; ++k) second.write_row(row(k));
-  second.flush_to_disk();
+  const SeriesExtent end = second.flush_to_disk();
+  EXPECT_EQ(end.rows, 6);
+  EXPECT_EQ(end.checksum, straight.flush_to_disk().checksum);
   EXPECT_EQ(bytes_of(folder / "b.csv"), bytes_of(folder / "a.csv"));
 }
 
 TEST(Series, ChangedFilesAreNotContinued) {
   const TemporaryFolder folder;
   const auto path = folder.write("s.csv", "time [s],relative_density,steps\n0,1,2\n");
-  EXPECT_EQ(faults_of(path, [&] { SeriesWriter::resume(path, columns, 2); }).at(0),
-            "s.csv: 2 rows are needed to go on, but only 1 are there; has the file been changed?");
+  EXPECT_EQ(faults_of(path,
+                      [&] {
+                        SeriesWriter::resume(path, columns, {2, 50, 0});
+                      })
+                .at(0),
+            "s.csv: 2 rows are needed to go on, but only 1 are there; has the file been changed since?");
+  EXPECT_EQ(
+      faults_of(path,
+                [&] {
+                  SeriesWriter::resume(path, columns, {1, 38, 1234});
+                })
+          .at(0),
+      "s.csv: 1 rows are needed to go on, but they are not those of this run; has the file been changed "
+      "since?");
   const std::vector<std::string> others{"time [s]"};
-  EXPECT_EQ(faults_of(path, [&] { SeriesWriter::resume(path, others, 1); }).at(0),
+  EXPECT_EQ(faults_of(path,
+                      [&] {
+                        SeriesWriter::resume(path, others, {1, 38, 0});
+                      })
+                .at(0),
             "s.csv:1: the header is not that of this run; has the file been changed?");
   EXPECT_EQ(bytes_of(path), "time [s],relative_density,steps\n0,1,2\n");
 }

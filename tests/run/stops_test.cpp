@@ -140,7 +140,8 @@ TEST(Stops, ASignalEndsTheRunAfterItsStepWithALastRow) {
   const io::TemporaryFolder folder;
   Recorder recorder;
   int asked = 0;
-  const Ending ending = run_case(pair_case(folder), {&recorder}, [&] { return ++asked > 4 ? SIGTERM : 0; });
+  const Ending ending =
+      run_case(pair_case(folder), {&recorder}, {.interrupt = [&] { return ++asked > 4 ? SIGTERM : 0; }});
   EXPECT_EQ(ending.code, 143);
   EXPECT_EQ(recorder.totals.steps, 4);
   EXPECT_EQ(recorder.column("steps").back(), 4.0);

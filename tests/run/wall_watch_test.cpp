@@ -1,0 +1,83 @@
+// When the wall clock asks for checkpoints and ends a run; never what a run computes.
+#include "run/wall_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "run/samples.hpp"
+
+namespace frit::run {
+namespace {
+
+// A clock that is set by hand.
+struct Hand {
+  double now = 0.0;
+  Requests requests() {
+    return {.wall_seconds = [this] { return now; }};
+  }
+};
+
+TEST(WallWatch, AsksEveryFiveMinutes) {
+  Hand hand;
+  WallWatch watch(hand.requests(), 0);
+  std::vector<double> taken;
+  for (int step = 1; step <= 1000; ++step) {
+    hand.now += 1.5;
+    watch.lap(step);
+    if (watch.takes_checkpoint()) taken.push_back(hand.now);
+  }
+  EXPECT_EQ(taken, (std::vector<double>{300, 600, 900, 1200, 1500}));
+}
+
+TEST(WallWatch, AsksEverySoManySteps) {
+  Hand hand;
+  WallWatch watch(hand.requests(), 4);
+  std::vector<int> taken;
+  for (const int step : {1, 2, 3, 4, 5, 9, 10, 16}) {  // explicit methods make several at once
+    hand.now += 1e4;
+    watch.lap(step);
+    if (watch.takes_checkpoint()) taken.push_back(step);
+  }
+  EXPECT_EQ(taken, (std::vector<int>{4, 9, 16}));
+}
+
+TEST(WallWatch, TakesOneWhenAsked) {
+  bool asked = false;
+  Requests requests;
+  requests.asks_checkpoint = [&] { return std::exchange(asked, false); };
+  WallWatch watch(requests, 0);
+  watch.lap(1);
+  EXPECT_FALSE(watch.takes_checkpoint());
+  asked = true;
+  EXPECT_TRUE(watch.takes_checkpoint());
+  EXPECT_FALSE(watch.takes_checkpoint());
+}
+
+TEST(WallWatch, EndsARunBeforeItsLimit) {
+  Hand hand;
+  Requests requests = hand.requests();
+  requests.wall_limit = 100.0;
+  WallWatch watch(requests, 0);
+  int steps = 0;
+  while (!watch.runs_out()) {
+    hand.now += 7.0;
+    watch.lap(++steps);
+  }
+  EXPECT_LE(hand.now + 7.0, 100.0);
+  EXPECT_GE(hand.now + 21.0, 100.0);
+}
+
+TEST(WallWatch, ARunOutOfTimeEndsWithFour) {
+  const io::TemporaryFolder folder;
+  samples::Recorder recorder;
+  double now = 0.0;
+  const Ending ending = run_case(samples::pair_case(folder), {&recorder},
+                                 {.wall_seconds = [&] { return now += 1.0; }, .wall_limit = 20.0});
+  EXPECT_EQ(ending.code, 4);
+  EXPECT_GT(recorder.totals.steps, 0);
+  EXPECT_LT(recorder.last.time, 60.0);
+}
+
+}  // namespace
+}  // namespace frit::run
