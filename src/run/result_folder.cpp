@@ -72,12 +72,13 @@ void ResultFolder::finished(const EndView& view) {
     io::write_file_whole(folder_ / "failed_problem.cbor",
                          {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   }
+  if (view.ending.code == 0) {
+    std::error_code ignored;  // it may stay: it is as good as the last one, only older
+    fs::remove(folder_ / previous_checkpoint_name, ignored);
+  }
   nlohmann::json summary = summary_of(*setup_, view);
   summary["resumed_at_step"] = kept_ ? nlohmann::json(resumed_step_) : nlohmann::json();
   io::write_json(folder_ / "summary.json", summary);
-  if (view.ending.code != 0) return;
-  std::error_code ignored;  // it may stay: it is as good as the last one, only older
-  fs::remove(folder_ / previous_checkpoint_name, ignored);
 }
 
 }  // namespace frit::run

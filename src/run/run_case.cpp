@@ -44,11 +44,12 @@ void check_case(const config::Case& given, config::Case ran, const std::string& 
     return std::ranges::find(wanted, line) == wanted.end();
   };
   const auto line = std::ranges::find_if(found, is_new);
+  const std::string shown =
+      line == found.end() ? "a key is missing" : fmt::format("'{}'", line->substr(0, line->find("  #")));
   throw InputError(
-      fmt::format("{}: has been changed since the run{}{}{}; allowed: keys of [stop], for other keys a "
+      fmt::format("{}: has been changed since the run: {}; allowed: keys of [stop], for other keys a "
                   "new run in another folder",
-                  name, line == found.end() ? "" : ": '", line == found.end() ? "" : *line,
-                  line == found.end() ? "" : "'"));
+                  name, shown));
 }
 
 }  // namespace

@@ -37,8 +37,10 @@ relative_density = 0.6
 
 
 class ProgramTest(unittest.TestCase):
+    parent = None  # of the test's folder
+
     def setUp(self):
-        self._folder = tempfile.TemporaryDirectory(prefix="frit-app-")
+        self._folder = tempfile.TemporaryDirectory(prefix="frit-app-", dir=self.parent)
         self.folder = pathlib.Path(self._folder.name)
         self.write("packing.csv", PAIR)
         self.write("pair.toml", CASE)

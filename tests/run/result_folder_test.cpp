@@ -114,7 +114,7 @@ TEST(ResultFolder, SnapshotsHoldParticlesAndContactsInTheOrderOfIds) {
   }
 }
 
-TEST(ResultFolder, WithoutSnapshotsOnlyTheThreeFilesAreWritten) {
+TEST(ResultFolder, WithoutSnapshotsOnlyTheFourFilesAreWritten) {
   const io::TemporaryFolder folder;
   ResultFolder files(folder / "out");
   run_case(pair_case(folder, {"output.snapshots=false"}), {&files});
@@ -122,7 +122,7 @@ TEST(ResultFolder, WithoutSnapshotsOnlyTheThreeFilesAreWritten) {
   for (const auto& entry : std::filesystem::directory_iterator(folder / "out"))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(names, (std::vector<std::string>{"case.toml", "series.csv", "summary.json"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"case.toml", "checkpoint.cbor", "series.csv", "summary.json"}));
 }
 
 TEST(ResultFolder, AFailedStepLeavesItsProblem) {
