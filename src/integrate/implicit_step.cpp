@@ -281,6 +281,13 @@ void ImplicitStep::judge_error(const State& from, StepReport& report) const {
   report.verdict = accurate ? Verdict::accepted : Verdict::inaccurate;
 }
 
+void ImplicitStep::check_work(const network::StepInput& input, const Passes& passes, StepReport& report) {
+  report.work = work_of(input, passes.problem, passes.solution);
+  if (is_consistent(report.work, input, passes.problem, passes.solution, settings_.tolerance)) return;
+  report.verdict = Verdict::inconsistent;
+  failed_ = FailedSolve{passes.problem, passes.solution};
+}
+
 StepReport ImplicitStep::attempt(const State& from, const Stretch& stretch, State& to) {
   const double duration = stretch.duration;
   StepReport report;
@@ -307,6 +314,7 @@ StepReport ImplicitStep::attempt(const State& from, const Stretch& stretch, Stat
     report.times.search += watch.lap();
     if (missed.empty()) {
       judge_error(from, report);
+      if (report.verdict == Verdict::accepted) check_work(input, passes, report);
       if (report.verdict == Verdict::accepted) to = std::move(next);
       return report;
     }

@@ -49,6 +49,7 @@ class ImplicitStep : public Stepper {
   bool solve_both(const network::StepInput& input, Passes& passes, StepReport& report);
   bool has_run_off(const State& from, const State& to) const;
   void judge_error(const State& from, StepReport& report) const;
+  void check_work(const network::StepInput& input, const Passes& passes, StepReport& report);
   void move(const network::StepInput& input, const Passes& passes, State& to) const;
 
   const StepSettings settings_;

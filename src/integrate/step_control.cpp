@@ -14,7 +14,8 @@ StepControl::StepControl(const StepLimits& limits, double first_duration)
     : limits_(limits), proposed_(limits.fixed.value_or(std::min(first_duration, limits.largest))) {}
 
 void StepControl::learn(const StepReport& report) {
-  if (report.verdict == Verdict::not_solved || report.verdict == Verdict::moved_too_far) {
+  if (report.verdict == Verdict::not_solved || report.verdict == Verdict::inconsistent ||
+      report.verdict == Verdict::moved_too_far) {
     proposed_ = 0.5 * report.duration;
     return;
   }

@@ -8,6 +8,8 @@ std::string_view to_text(Verdict verdict) {
       return "accepted";
     case Verdict::not_solved:
       return "the solver did not converge";
+    case Verdict::inconsistent:
+      return "the work of its forces does not add up, or something is not a finite number";
     case Verdict::inaccurate:
       return "the estimated error is too large";
     case Verdict::moved_too_far:

@@ -6,12 +6,13 @@
 #include <string_view>
 
 #include "contact/detection.hpp"
+#include "integrate/step_work.hpp"
 #include "solve/problem.hpp"
 #include "state/state.hpp"
 
 namespace frit::integrate {
 
-enum class Verdict { accepted, not_solved, inaccurate, moved_too_far, unstable };
+enum class Verdict { accepted, not_solved, inconsistent, inaccurate, moved_too_far, unstable };
 std::string_view to_text(Verdict verdict);
 
 // Wall time [s] of the parts of a step; no result depends on it.
@@ -44,6 +45,7 @@ struct StepReport {
   solve::LinearCounts linear_solves;
   StepTimes times;
   contact::ContactChanges changes;
+  Work work;  // of an accepted implicit step
 
   double time_step() const { return duration / static_cast<double>(steps); }  // [s]
 };

@@ -41,6 +41,14 @@ void visit_progress(P& progress, const Visit& visit) {
   visit("largest_residual", totals.largest_residual);
   visit("weighted_error", totals.weighted_error);
   visit("progress", totals.progress);
+  visit("work.released", totals.work.released);
+  visit("work.cell", totals.work.cell);
+  visit("work.load", totals.work.load);
+  visit("work.approach", totals.work.approach);
+  visit("work.sliding", totals.work.sliding);
+  visit("work.bending", totals.work.bending);
+  visit("work.inertia", totals.work.inertia);
+  visit("work.imbalance", totals.work.imbalance);
 }
 
 void take(const io::CborMap& map, const std::string& name, double& value) { value = map.real(name); }
@@ -165,7 +173,8 @@ Checkpoint load_checkpoint(const fs::path& folder, std::vector<std::string>& not
     return std::move(*found.checkpoint);
   }
   if (!faults.empty()) throw InputError(faults);
-  throw InputError(fmt::format("{}: holds no checkpoint to go on from; frit run --force starts anew", folder.string()));
+  throw InputError(
+      fmt::format("{}: holds no checkpoint to go on from; frit run --force starts anew", folder.string()));
 }
 
 }  // namespace frit::run

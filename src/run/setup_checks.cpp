@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/constants.hpp"
 #include "integrate/stable_step.hpp"
@@ -16,6 +17,10 @@ namespace {
 constexpr std::size_t most_shown = 20;
 // Given necks may bridge at most this share of the smaller radius; wider gaps are wrong indices or units.
 constexpr double widest_neck_gap = 0.1;
+// Round-off of coordinates over the smallest radius. The overlap of a new neck is about 5e-4 of it.
+constexpr double coarsest_round_off = 1e-7;
+// Steps of fixed length that a run may need: more would take years, and be lost in the round-off of the time.
+constexpr double most_fixed_steps = 1e12;
 
 // Adds the first faults of a kind and counts the others.
 class Counted {
@@ -66,6 +71,20 @@ void check_cell(const generate::Packing& packing, FaultTexts& faults) {
   }
 }
 
+// Distances are differences of coordinates, and necks follow them.
+void check_round_off(const config::Case& whole, const Particles& particles, FaultTexts& faults) {
+  double farthest = 0.0;
+  for (const Vec3& x : particles.position) farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
+  const double smallest = *std::min_element(particles.radius.begin(), particles.radius.end());
+  const double allowed = coarsest_round_off * smallest / std::numeric_limits<double>::epsilon();
+  if (farthest <= allowed) return;
+  faults.push_back(
+      fmt::format("{}: a coordinate of {:.6g} m is too large for a radius of {:.6g} m: its round-off would "
+                  "show in the necks; "
+                  "allowed: at most {:.3g} m, so move the particles towards the origin",
+                  origin_of(whole), farthest, smallest, allowed));
+}
+
 bool has_force(const Particles& particles) {
   return std::any_of(particles.force.begin(), particles.force.end(),
                      [](const Vec3& f) { return !f.isZero(0.0); });
@@ -83,6 +102,7 @@ bool is_compressed(const config::Case& whole, const State& state) {
 
 void check_spheres(const config::Case& whole, const generate::Packing& packing, FaultTexts& faults) {
   if (packing.cell.periodic) check_cell(packing, faults);
+  check_round_off(whole, packing.particles, faults);
   if (!faults.empty()) return;  // the search for pairs needs a sound cell
   Counted inside(faults);
   const Particles& particles = packing.particles;
@@ -123,9 +143,21 @@ void check_contacts(const config::Case& whole, const State& state, FaultTexts& f
 
 void check_stop(const config::Case& whole, const observe::Reference& reference, double density,
                 FaultTexts& faults) {
+  if (whole.stop.time && whole.method.time_step &&
+      *whole.stop.time / *whole.method.time_step > most_fixed_steps) {
+    faults.push_back(
+        fmt::format("method.time_step: {:.6g} s makes {:.3g} steps to stop.time = {:.6g} s; allowed: at "
+                    "least {:.6g} s, or \"auto\"",
+                    *whole.method.time_step, *whole.stop.time / *whole.method.time_step, *whole.stop.time,
+                    *whole.stop.time / most_fixed_steps));
+  }
   if (!whole.stop.relative_density) return;
   const double target = *whole.stop.relative_density;
-  if (std::isnan(density)) {
+  if (std::isnan(density) && reference.core.members.size() >= observe::smallest_core) {
+    faults.push_back(fmt::format(
+        "stop.relative_density: {:.6g} cannot be measured: this free body has no volume; allowed: stop.time",
+        target));
+  } else if (std::isnan(density)) {
     faults.push_back(
         fmt::format("stop.relative_density: {:.6g} cannot be measured: the core of this free body has {} "
                     "particles, {} are needed; allowed: stop.time",

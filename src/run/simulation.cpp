@@ -227,7 +227,9 @@ void Simulation::finish(const Ending& ending, std::span<RunListener* const> list
   if (ending.code == 0) tell_checkpoint(listeners);
   clock_.enter(Stage::output);
   EndView view{ending, row_, totals_, clock_};
-  const bool unsolved = ending.code == not_computed && last_report_.verdict == integrate::Verdict::not_solved;
+  const bool unsolved =
+      ending.code == not_computed && (last_report_.verdict == integrate::Verdict::not_solved ||
+                                      last_report_.verdict == integrate::Verdict::inconsistent);
   if (unsolved) view.failed = stepper_->failed();
   for (RunListener* listener : listeners) listener->finished(view);
 }

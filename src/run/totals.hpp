@@ -20,6 +20,7 @@ struct Totals {
   double largest_residual = 0.0;  // of the accepted steps
   double weighted_error = 0.0;    // sum of error * progress over the accepted steps
   double progress = 0.0;          // sum of progress
+  integrate::Work work;           // of the accepted steps
 
   void count_attempt(const integrate::StepReport& report) {
     newton_iterations += report.newton_iterations;
@@ -33,6 +34,7 @@ struct Totals {
     largest_residual = std::max(largest_residual, report.residual);
     weighted_error += report.error * report.progress;
     progress += report.progress;
+    work += report.work;
   }
   // Estimated relative error of density and necks over the run.
   double accuracy() const { return progress > 0.0 ? weighted_error / progress : 0.0; }

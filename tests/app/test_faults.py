@@ -107,12 +107,6 @@ class CommandLine(ProgramTest):
             self.assert_fault(self.frit(*arguments, code=2), "frit")
         self.assertEqual(self.names(), [])
 
-    def test_what_is_not_available_yet_says_so(self):
-        for arguments in (("resume", "out"),
-                          ("run", "pair.toml", "--max-wall", "1h")):
-            self.assert_fault(self.frit(*arguments, code=2), "not available yet")
-        self.assertEqual(self.names(), [])
-
     def test_formats_that_are_unknown(self):
         self.assert_fault(self.frit("convert", "packing.csv", "packing.doc", code=2), "packing.doc", ".vtp")
         self.assert_fault(self.frit("pack", "lattice.toml", "-o", "packing.doc", code=2), "packing.doc")
