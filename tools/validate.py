@@ -11,12 +11,12 @@ import tempfile
 import time
 
 from validation import claims as claims_of
-from validation import free_body, lattices, methods, packings, pairs, program
+from validation import free_body, interruptions, lattices, methods, packings, pairs, program
 
 QUICK = [pairs.growth_equal, pairs.growth_unequal, pairs.times_of_paper, pairs.loaded, pairs.pulled_open,
          pairs.equilibrium, pairs.parhami_mcmeeking, pairs.chain, lattices.lattices, lattices.mean_field, packings.two_solvers,
          packings.symmetries, packings.thread_counts, methods.explicit_pair, methods.lattices_by_all_methods]
-LONG = [packings.order_without_births, packings.order_with_births, methods.alumina_ball]
+LONG = [interruptions.kills, interruptions.failing_calls, packings.order_without_births, packings.order_with_births, methods.alumina_ball]
 
 
 def parse_arguments():

@@ -13,6 +13,10 @@ namespace frit::io {
 namespace {
 
 static_assert(sizeof(Vec3) == 24 && sizeof(Quat) == 32 && sizeof(Image) == 3);
+// What is added to a state must be added below.
+constexpr std::size_t array_bytes = sizeof(std::vector<double>);
+static_assert(sizeof(Particles) == 9 * array_bytes && sizeof(Contacts) == 14 * array_bytes &&
+              sizeof(Cracks) == 4 * array_bytes);
 
 // The arrays of a state, each named once for both ways. `visit` gets a name and a vector.
 template <class Part, class Visit>

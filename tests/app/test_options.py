@@ -43,7 +43,7 @@ class Running(ProgramTest):
         self.frit("run", "pair.toml")
         self.assertEqual(self.names(), ["pair"])
         files = sorted(p.name for p in (self.folder / "pair").iterdir())
-        self.assertEqual(files, ["case.toml", "report.html", "series.csv", "snapshots", "snapshots.pvd", "summary.json"])
+        self.assertEqual(files, ["case.toml", "checkpoint.cbor", "report.html", "series.csv", "snapshots", "snapshots.pvd", "summary.json"])
 
     def test_results_are_replaced_only_by_force(self):
         self.frit("run", "pair.toml", "-o", "out")
