@@ -13,12 +13,10 @@ struct LanesOf;
 template <>
 struct LanesOf<float> {
   using Type = float __attribute__((vector_size(16)));
-  using Order = int __attribute__((vector_size(16)));
 };
 template <>
 struct LanesOf<double> {
   using Type = double __attribute__((vector_size(32)));
-  using Order = long __attribute__((vector_size(32)));
 };
 template <class Real>
 using Lanes = typename LanesOf<Real>::Type;
@@ -51,16 +49,18 @@ inline Lanes<Real> without_fourth(Lanes<Real> v) {
 namespace detail {
 template <class Real>
 inline Lanes<Real> dot(Lanes<Real> a, Lanes<Real> b) {
-  using Order = typename LanesOf<Real>::Order;
   const Lanes<Real> products = a * b;
-  const Lanes<Real> pairs = products + __builtin_shuffle(products, Order{1, 0, 3, 2});
-  return pairs + __builtin_shuffle(pairs, Order{2, 3, 0, 1});
+  const Lanes<Real> pairs = products + __builtin_shufflevector(products, products, 1, 0, 3, 2);
+  return pairs + __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1);
+}
+template <class Real>
+inline Lanes<Real> next(Lanes<Real> v) {
+  return __builtin_shufflevector(v, v, 1, 2, 0, 3);
 }
 template <class Real>
 inline Lanes<Real> cross(Lanes<Real> a, Lanes<Real> b) {
-  using Order = typename LanesOf<Real>::Order;
-  const Order next{1, 2, 0, 3};
-  return __builtin_shuffle(a * __builtin_shuffle(b, next) - __builtin_shuffle(a, next) * b, next);
+  const Lanes<Real> turned = a * next<Real>(b) - next<Real>(a) * b;
+  return next<Real>(turned);
 }
 }  // namespace detail
 
