@@ -32,7 +32,11 @@ std::vector<RowPair> find_repeats(std::vector<std::size_t> rows, KeyOf&& key_of)
 }  // namespace
 
 void check_particles(const ParticleRows& rows, FaultList& faults) {
-  const auto& [ids, positions, radii, where] = rows;
+  // Plain names: clang 14 does not let lambdas see structured bindings.
+  const std::vector<std::int64_t>& ids = rows.ids;
+  const std::vector<Vec3>& positions = rows.positions;
+  const std::vector<double>& radii = rows.radii;
+  const auto& where = rows.where;
   FRIT_EXPECT(ids.size() == positions.size() && radii.size() == positions.size());
   std::vector<std::size_t> all(positions.size()), placed;
   std::iota(all.begin(), all.end(), std::size_t{0});
