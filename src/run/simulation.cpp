@@ -220,7 +220,7 @@ void Simulation::tell_checkpoint(std::span<RunListener* const> listeners) const 
 }
 
 // The row of an early end is not one that an uninterrupted run would have, so the checkpoint comes before it.
-void Simulation::finish(const Ending& ending, std::span<RunListener* const> listeners) {
+void Simulation::stop(const Ending& ending, std::span<RunListener* const> listeners) {
   clock_.enter(Stage::output);
   if (ending.code != 0) tell_checkpoint(listeners);
   if (row_step_ != totals_.steps) write_row(listeners);
@@ -234,7 +234,7 @@ void Simulation::finish(const Ending& ending, std::span<RunListener* const> list
   for (RunListener* listener : listeners) listener->finished(view);
 }
 
-Ending Simulation::run(std::span<RunListener* const> listeners) {
+std::optional<Ending> Simulation::start(std::span<RunListener* const> listeners) {
   clock_.enter(Stage::output);
   for (RunListener* listener : listeners) listener->started(setup_);
   if (is_resumed_) {
@@ -243,12 +243,16 @@ Ending Simulation::run(std::span<RunListener* const> listeners) {
   } else {
     write_row(listeners);
   }
-  std::optional<Ending> ending = reached_end();
-  while (!ending) {
-    clock_.enter(Stage::step);
-    ending = advance();
-    clock_.enter(Stage::output);
-    if (ending) break;
+  const std::optional<Ending> ending = reached_end();
+  if (ending) stop(*ending, listeners);
+  return ending;
+}
+
+std::optional<Ending> Simulation::step(std::span<RunListener* const> listeners) {
+  clock_.enter(Stage::step);
+  std::optional<Ending> ending = advance();
+  clock_.enter(Stage::output);
+  if (!ending) {
     const StepView view{state_, last_report_, totals_, density_};
     for (RunListener* listener : listeners) listener->step_made(view);
     if (schedule_.is_due({state_.time, density_, totals_.steps})) write_row(listeners);
@@ -256,7 +260,13 @@ Ending Simulation::run(std::span<RunListener* const> listeners) {
     if (watch_.takes_checkpoint()) tell_checkpoint(listeners);
     ending = reached_end();
   }
-  finish(*ending, listeners);
+  if (ending) stop(*ending, listeners);
+  return ending;
+}
+
+Ending Simulation::run(std::span<RunListener* const> listeners) {
+  std::optional<Ending> ending = start(listeners);
+  while (!ending) ending = step(listeners);
   return *ending;
 }
 

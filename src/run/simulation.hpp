@@ -29,8 +29,15 @@ class Simulation {
   // Runs to the end and tells the listeners. Whatever they throw comes out.
   Ending run(std::span<RunListener* const> listeners);
 
+  // The same in pieces, with the same listeners each time: `start` once, then `step` until there is an
+  // ending, or `stop` to end at once.
+  std::optional<Ending> start(std::span<RunListener* const> listeners);
+  std::optional<Ending> step(std::span<RunListener* const> listeners);
+  void stop(const Ending& ending, std::span<RunListener* const> listeners);
+
   const State& state() const { return state_; }
   const Totals& totals() const { return totals_; }
+  double density() const { return density_; }  // relative; NaN: not known
 
  private:
   std::optional<Ending> reached_end() const;
@@ -47,7 +54,6 @@ class Simulation {
   Progress progress() const;
   void write_row(std::span<RunListener* const> listeners);
   void tell_checkpoint(std::span<RunListener* const> listeners) const;
-  void finish(const Ending& ending, std::span<RunListener* const> listeners);
 
   // Where the density last changed by more than nothing.
   struct LastChange {
