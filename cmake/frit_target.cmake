@@ -1,11 +1,14 @@
 # One target per folder of src/, linked along the ladder.
 add_library(frit_flags INTERFACE)
-target_include_directories(frit_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
+target_include_directories(frit_flags INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<INSTALL_INTERFACE:include/frit>)
+target_compile_features(frit_flags INTERFACE cxx_std_20)
 # The same bits at every optimisation level need uncontracted arithmetic; never -ffast-math.
-target_compile_options(frit_flags INTERFACE -Wall -Wextra -Wconversion -Wshadow -Wpedantic
-  -Wnon-virtual-dtor -Wno-sign-conversion -Wno-psabi -ffp-contract=off)
+target_compile_options(frit_flags INTERFACE
+  "$<BUILD_INTERFACE:-Wall;-Wextra;-Wconversion;-Wshadow;-Wpedantic;-Wnon-virtual-dtor;-Wno-sign-conversion>"
+  -Wno-psabi -ffp-contract=off)
 # x86-64-v3 and not native: g++ 12 warns wrongly inside its AVX-512 headers, the solver gains nothing from
-# it, and one instruction set gives the same bits on all machines that have it.
+# it, and one instruction set gives the same bits on all machines that have it. Programs that link the installed
+# libraries get it too: Eigen's alignment depends on it.
 set(frit_march "${FRIT_MARCH}")
 if(frit_march STREQUAL "AUTO")
   set(frit_march "")
@@ -20,8 +23,11 @@ if(frit_march)
   target_compile_options(frit_flags INTERFACE -march=${frit_march})
 endif()
 if(FRIT_WERROR)
-  target_compile_options(frit_flags INTERFACE -Werror)
+  target_compile_options(frit_flags INTERFACE $<BUILD_INTERFACE:-Werror>)
 endif()
+# The Python module is made of the same objects as the program; nobody replaces our functions when they load.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+target_compile_options(frit_flags INTERFACE $<BUILD_INTERFACE:-fno-semantic-interposition>)
 if(FRIT_CHECKS)
   target_compile_definitions(frit_flags INTERFACE FRIT_CHECKS=1 _GLIBCXX_ASSERTIONS)
 else()

@@ -11,7 +11,7 @@ import sys
 import tempfile
 
 LADDER = [["core"], ["state", "solve"], ["neighbor"], ["contact"], ["network"], ["integrate", "observe"],
-          ["generate", "io", "config"], ["run"], ["report", "analyze"], ["app"]]
+          ["generate", "io", "config"], ["run"], ["report", "analyze"], ["app", "python"]]
 RUNG = {folder: rung for rung, folders in enumerate(LADDER) for folder in folders}
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
 KEYWORDS = {"SOURCES", "USES", "LIBRARIES"}
