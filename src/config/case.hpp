@@ -111,12 +111,15 @@ struct Stop {
   std::optional<double> relative_density;
 };
 
+enum class SnapshotFormat : std::uint8_t { vtp, extended_xyz, lammps_dump };
+
 // At least one interval is set; an output is written when any of them is due.
 struct Output {
   std::optional<double> every_density;
   std::optional<double> every_time;  // [s]
   std::optional<std::int64_t> every_steps;
   bool snapshots = false;
+  std::vector<SnapshotFormat> formats;  // of the snapshots, each once
   bool report = false;
   std::int64_t checkpoint_every_steps = 0;  // 0: by wall clock
 };

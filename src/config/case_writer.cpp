@@ -34,7 +34,7 @@ bool is_written(const Key& key, const Case& whole) {
 std::string comment(const Key& key) {
   const auto unit = info(key.quantity).unit;
   if (!unit.empty()) return fmt::format("  # [{}]", unit);
-  if (key.type == Type::choice) return "  # " + allowed_text(key);
+  if (!key.choices.empty()) return "  # " + allowed_text(key);
   return "  # " + type_text(key);
 }
 

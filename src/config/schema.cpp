@@ -69,6 +69,8 @@ std::string plain_type_text(const Key& key) {
       return quantity_text(key) + "; or " + list_text(key);
     case Type::choice:
       return "one of some names in quotation marks";
+    case Type::choice_list:
+      return "a list of names in quotation marks, each once";
     case Type::integer_list:
       return "a list of whole numbers";
     case Type::table:
@@ -85,7 +87,7 @@ std::string type_text(const Key& key) {
 }
 
 std::string allowed_text(const Key& key) {
-  if (key.type == Type::choice) {
+  if (key.type == Type::choice || key.type == Type::choice_list) {
     std::string names;
     for (const Choice& choice : key.choices) {
       const auto note = choice.status == Status::not_available_yet ? " (not available yet)" : "";

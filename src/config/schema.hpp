@@ -27,6 +27,7 @@ enum class Type : std::uint8_t {
   vector,            // a list of 3 quantities
   scalar_or_vector,  // one quantity, meaning all three, or a list of 3
   choice,
+  choice_list,  // some of the choices, each once, at least one
   integer_list,
   table,
   table_list,
@@ -73,6 +74,10 @@ struct ChoiceAccess {
   std::optional<int> (*get)(Target&);  // index into Key::choices
   void (*set)(Target&, int);
 };
+struct ChoiceListAccess {
+  std::vector<int> (*get)(Target&);  // indices into Key::choices
+  void (*set)(Target&, const std::vector<int>&);
+};
 struct ListAccess {
   std::size_t (*size)(const Case&);
   void (*grow)(Case&);
@@ -82,7 +87,7 @@ using Slot =
     std::variant<std::monostate, Access<std::string>, Access<std::optional<std::filesystem::path>>,
                  Access<bool>, Access<std::int64_t>, Access<std::optional<std::int64_t>>, Access<double>,
                  Access<std::optional<double>>, Access<Vec3>, Access<std::optional<Vec3>>,
-                 Access<std::vector<std::int64_t>>, ChoiceAccess, ListAccess>;
+                 Access<std::vector<std::int64_t>>, ChoiceAccess, ChoiceListAccess, ListAccess>;
 
 struct Key {
   std::string_view path{};  // "contact.pull"; the keys of a list's items are "temperature.program.rate"

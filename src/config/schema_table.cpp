@@ -398,6 +398,14 @@ std::vector<Key> output_keys() {
        .slot = in_case<&Case::output, &Output::snapshots>(),
        .fallback = "true",
        .sentence = "Whether each output also writes particles and contacts."},
+      {.path = "output.formats",
+       .type = Type::choice_list,
+       .slot = in_case<&Case::output, &Output::formats>(),
+       .fallback = "[\"vtp\"]",
+       .choices = {{"vtp"}, {"xyz"}, {"lammps"}},
+       .sentence =
+           "Files of each snapshot: VTP with a ParaView collection (particles and contacts; reports and "
+           "frit analyze need it), extended XYZ, LAMMPS dump (particles)."},
       {.path = "output.report",
        .type = Type::boolean,
        .slot = in_case<&Case::output, &Output::report>(),

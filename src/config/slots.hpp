@@ -25,6 +25,13 @@ struct OptionalEnum<std::optional<E>> : std::is_enum<E> {
   using type = E;
 };
 
+template <class T>
+struct EnumList : std::false_type {};
+template <class E>
+struct EnumList<std::vector<E>> : std::is_enum<E> {
+  using type = E;
+};
+
 template <class Owner, auto... Members>
 Slot slot_of() {
   using T = std::remove_reference_t<decltype((std::declval<Owner&>().*....*Members))>;
@@ -43,6 +50,19 @@ Slot slot_of() {
                           (owner_in<Owner>(target).*....*Members) =
                               static_cast<typename OptionalEnum<T>::type>(index);
                         }};
+  } else if constexpr (EnumList<T>::value) {
+    return ChoiceListAccess{[](Target& target) {
+                              std::vector<int> indices;
+                              for (const auto value : (owner_in<Owner>(target).*....*Members))
+                                indices.push_back(static_cast<int>(value));
+                              return indices;
+                            },
+                            [](Target& target, const std::vector<int>& indices) {
+                              T& values = (owner_in<Owner>(target).*....*Members);
+                              values.clear();
+                              for (const int index : indices)
+                                values.push_back(static_cast<typename EnumList<T>::type>(index));
+                            }};
   } else {
     return Access<T>([](Target& target) -> T& { return (owner_in<Owner>(target).*....*Members); });
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/nearest.hpp"
@@ -93,6 +94,18 @@ int read_choice(const Key& key, const Node& node) {
       fmt::format("{} is unknown{}; allowed: {}", shown(node), did_you_mean(name, names), allowed_text(key)));
 }
 
+std::vector<int> read_choices(const Key& key, const Node& node) {
+  const auto* list = node.as<List>();
+  if (!list || list->items.empty()) throw wrong(key, node);
+  std::vector<int> result;
+  for (const Node& item : list->items) {
+    result.push_back(read_choice(key, item));
+    if (std::count(result.begin(), result.end(), result.back()) > 1)
+      throw InputError(fmt::format("{} stands there twice; allowed: each once", shown(item)));
+  }
+  return result;
+}
+
 std::vector<std::int64_t> read_integers(const Key& key, const Node& node) {
   const auto* list = node.as<List>();
   if (!list || list->items.empty()) throw wrong(key, node);
@@ -141,6 +154,7 @@ struct Read {
     member(target) = read_integers(key, node);
   }
   void operator()(const ChoiceAccess& member) const { member.set(target, read_choice(key, node)); }
+  void operator()(const ChoiceListAccess& member) const { member.set(target, read_choices(key, node)); }
 };
 
 std::string number_text(double value) {
@@ -169,7 +183,17 @@ struct Write {
   }
   Text operator()(const ChoiceAccess& member) const {
     const auto index = member.get(target);
-    return index ? Text(quote(std::string(key.choices[static_cast<std::size_t>(*index)].name))) : Text();
+    return index ? Text(choice(*index)) : Text();
+  }
+  Text operator()(const ChoiceListAccess& member) const {
+    std::string list;
+    for (const int index : member.get(target))
+      list += fmt::format("{}{}", list.empty() ? "" : ", ", choice(index));
+    return "[" + list + "]";
+  }
+
+  std::string choice(int index) const {
+    return quote(std::string(key.choices[static_cast<std::size_t>(index)].name));
   }
 
   static Text text(const std::string& value) { return quote(value); }

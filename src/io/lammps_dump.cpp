@@ -56,7 +56,7 @@ std::string header(const Frame& frame) {
     append_number(text, bounds.high[axis]);
     text += '\n';
   }
-  text += "ITEM: ATOMS id x y z radius";
+  text += "ITEM: ATOMS id element x y z radius";
   for (const auto& array : frame.arrays) {
     const auto name = plain_name(array.name);
     if (array.components == 1) {
@@ -187,6 +187,7 @@ void write_lammps_dump(const std::filesystem::path& path, const Frame& frame) {
   std::string text = header(frame);
   for (std::size_t row = 0; row < frame.size(); ++row) {
     append_number(text, frame.ids[row]);
+    text += " X";  // ASE and OVITO want to know of what; frit does not tell
     for (const double value :
          {frame.positions[row].x(), frame.positions[row].y(), frame.positions[row].z(), frame.radii[row]}) {
       text += ' ';

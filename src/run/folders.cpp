@@ -42,7 +42,10 @@ constexpr std::array<std::string_view, 6> files_of_an_end{
 
 bool is_snapshot(const fs::path& path) {
   const std::string name = path.filename().string();
-  return name.ends_with(".vtp") && (name.starts_with("particles_") || name.starts_with("contacts_"));
+  const bool contacts = name.starts_with("contacts_") && name.ends_with(".vtp");
+  const bool particles = name.starts_with("particles_") &&
+                         (name.ends_with(".vtp") || name.ends_with(".xyz") || name.ends_with(".dump"));
+  return contacts || particles;
 }
 
 std::int64_t number_of(const fs::path& snapshot) {

@@ -41,14 +41,15 @@ void ResultFolder::started(const Setup& setup) {
   if (!lock_) lock_.emplace(folder_);
   if (!kept_) remove_results(folder_);
   io::write_file_whole(folder_ / "case.toml", config::write_case(setup.whole, version()));
-  if (setup.whole.output.snapshots && !kept_) snapshots_.emplace(folder_);
+  if (setup.whole.output.snapshots && !kept_) snapshots_.emplace(folder_, setup.whole.output.formats);
 }
 
 void ResultFolder::resumed(const ResumeView& view) {
   resumed_step_ = view.totals.steps;
   series_ = io::SeriesWriter::resume(folder_ / "series.csv", names_of(view.row), *kept_);
   remove_what_follows(folder_, kept_->rows);
-  if (setup_->whole.output.snapshots) snapshots_.emplace(folder_, times_of(folder_ / "series.csv"));
+  const config::Output& output = setup_->whole.output;
+  if (output.snapshots) snapshots_.emplace(folder_, output.formats, times_of(folder_ / "series.csv"));
 }
 
 void ResultFolder::row_written(const RowView& view) {

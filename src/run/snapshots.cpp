@@ -2,10 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <utility>
 
+#include "io/extended_xyz.hpp"
+#include "io/lammps_dump.hpp"
 #include "observe/fields.hpp"
 #include "run/folders.hpp"
 
@@ -63,28 +66,48 @@ io::ContactFrame contact_frame(const State& ordered, const NeckArrays& necks) {
   return frame;
 }
 
-SnapshotWriter::SnapshotWriter(const std::filesystem::path& folder) : folder_(folder) {
+SnapshotWriter::SnapshotWriter(const std::filesystem::path& folder,
+                               std::vector<config::SnapshotFormat> formats, const std::vector<double>& times)
+    : folder_(folder), formats_(std::move(formats)) {
   make_folder(folder_ / "snapshots");
+  for (const double time : times) add_entries(time);
+  if (!times.empty()) write_collection();
 }
 
-SnapshotWriter::SnapshotWriter(const std::filesystem::path& folder, const std::vector<double>& times)
-    : SnapshotWriter(folder) {
-  for (const double time : times) add_entries(time);
-  io::write_pvd(folder_ / "snapshots.pvd", entries_);
+std::string SnapshotWriter::name_of(std::string_view what, std::string_view extension) const {
+  return fmt::format("snapshots/{}_{:06}.{}", what, entries_.size() / 2, extension);
 }
 
 void SnapshotWriter::add_entries(double time) {
-  const std::size_t number = entries_.size() / 2;
-  entries_.push_back({time, fmt::format("snapshots/particles_{:06}.vtp", number), 0, "particles"});
-  entries_.push_back({time, fmt::format("snapshots/contacts_{:06}.vtp", number), 1, "contacts"});
+  const std::string particles = name_of("particles", "vtp"), contacts = name_of("contacts", "vtp");
+  entries_.push_back({time, particles, 0, "particles"});
+  entries_.push_back({time, contacts, 1, "contacts"});
+}
+
+void SnapshotWriter::write_collection() const {
+  if (std::ranges::find(formats_, config::SnapshotFormat::vtp) == formats_.end()) return;
+  io::write_pvd(folder_ / "snapshots.pvd", entries_);
 }
 
 void SnapshotWriter::write(const observe::Reference& reference, const State& ordered,
                            const NeckArrays& necks) {
+  const io::Frame particles = particle_frame(reference, ordered);
+  for (const config::SnapshotFormat format : formats_) {
+    switch (format) {
+      case config::SnapshotFormat::vtp:
+        io::write_vtp(folder_ / name_of("particles", "vtp"), particles);
+        io::write_vtp(folder_ / name_of("contacts", "vtp"), contact_frame(ordered, necks));
+        break;
+      case config::SnapshotFormat::extended_xyz:
+        io::write_extended_xyz(folder_ / name_of("particles", "xyz"), particles);
+        break;
+      case config::SnapshotFormat::lammps_dump:
+        io::write_lammps_dump(folder_ / name_of("particles", "dump"), particles);
+        break;
+    }
+  }
   add_entries(ordered.time);
-  io::write_vtp(folder_ / entries_.end()[-2].file, particle_frame(reference, ordered));
-  io::write_vtp(folder_ / entries_.end()[-1].file, contact_frame(ordered, necks));
-  io::write_pvd(folder_ / "snapshots.pvd", entries_);
+  write_collection();
 }
 
 }  // namespace frit::run

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "config/case.hpp"
 #include "io/pvd.hpp"
 #include "io/vtp.hpp"
 #include "observe/reference.hpp"
@@ -18,23 +21,27 @@ io::Frame particle_frame(const observe::Reference& reference, const State& order
 // The network, a segment from the particle of the smaller id i to that of j for each contact.
 io::ContactFrame contact_frame(const State& ordered, const NeckArrays& necks);
 
-// Writes snapshot after snapshot into folder/snapshots and renews folder/snapshots.pvd each time.
+// Writes snapshot after snapshot into folder/snapshots, each in all formats; with VTP it renews
+// folder/snapshots.pvd each time.
 class SnapshotWriter {
  public:
-  // Makes folder/snapshots. MachineError where it cannot be made.
-  explicit SnapshotWriter(const std::filesystem::path& folder);
-
-  // Goes on after the snapshots of these times [s], which are there.
-  SnapshotWriter(const std::filesystem::path& folder, const std::vector<double>& times);
+  // Makes folder/snapshots, and goes on after the snapshots of `times` [s], which are there. MachineError
+  // where the folder cannot be made.
+  SnapshotWriter(const std::filesystem::path& folder, std::vector<config::SnapshotFormat> formats,
+                 const std::vector<double>& times = {});
 
   // MachineError as io::write_file_whole.
   void write(const observe::Reference& reference, const State& ordered, const NeckArrays& necks);
 
  private:
+  // Of the next snapshot: "snapshots/particles_000007.vtp".
+  std::string name_of(std::string_view what, std::string_view extension) const;
   void add_entries(double time);
+  void write_collection() const;
 
   std::filesystem::path folder_;
-  std::vector<io::PvdEntry> entries_;
+  std::vector<config::SnapshotFormat> formats_;
+  std::vector<io::PvdEntry> entries_;  // two a snapshot, also where VTP is not among the formats
 };
 
 }  // namespace frit::run

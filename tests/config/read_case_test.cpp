@@ -56,6 +56,7 @@ TEST(Defaults, OfMethodStopAndOutputAreThoseOfTheInterface) {
   EXPECT_EQ(whole.output.every_density, 0.01);
   EXPECT_FALSE(whole.output.every_time || whole.output.every_steps);
   EXPECT_TRUE(whole.output.snapshots);
+  EXPECT_EQ(whole.output.formats, std::vector{SnapshotFormat::vtp});
   EXPECT_EQ(whole.output.checkpoint_every_steps, 0);
 }
 
@@ -161,6 +162,17 @@ TEST(Outputs, DefaultToDensityOnlyWhileNoOtherIntervalIsGiven) {
   const Case both = read(least_case + "[output]\nevery_steps = 5\nevery_density = 0.02\n");
   EXPECT_EQ(both.output.every_steps, 5);
   EXPECT_EQ(both.output.every_density, 0.02);
+}
+
+TEST(Outputs, FormatsAreAListOfNames) {
+  using enum SnapshotFormat;
+  const auto formats_of = [](const std::string& list) {
+    return read(least_case + "[output]\nformats = " + list + "\n").output.formats;
+  };
+  EXPECT_EQ(formats_of("[\"lammps\"]"), std::vector{lammps_dump});
+  EXPECT_EQ(formats_of("[\"xyz\", \"vtp\"]"), (std::vector{extended_xyz, vtp}));
+  for (const std::string wrong : {"[]", "\"vtp\"", "[\"vtp\", \"vtp\"]", "[\"vtk\"]", "[1]"})
+    EXPECT_THROW(formats_of(wrong), InputError) << wrong;
 }
 
 TEST(ParticleGroups, HoldRowsAndForces) {

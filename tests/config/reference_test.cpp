@@ -72,7 +72,8 @@ TEST(Schema, IsSoundInItself) {
   for (const Key& key : schema()) {
     EXPECT_TRUE(paths.insert(key.path).second) << "twice: " << key.path;
     EXPECT_TRUE(key.sentence.ends_with('.')) << key.path;
-    EXPECT_EQ(key.type == Type::choice, !key.choices.empty()) << key.path;
+    EXPECT_EQ(key.type == Type::choice || key.type == Type::choice_list, !key.choices.empty()) << key.path;
+    EXPECT_EQ(std::holds_alternative<ChoiceListAccess>(key.slot), key.type == Type::choice_list) << key.path;
     EXPECT_EQ(std::holds_alternative<ChoiceAccess>(key.slot), key.type == Type::choice) << key.path;
     EXPECT_EQ(find_key(key.path), &key);
     const bool empty = std::holds_alternative<std::monostate>(key.slot);

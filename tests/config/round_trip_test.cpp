@@ -73,6 +73,7 @@ void expect_same_method_and_output(const Case& a, const Case& b) {
   EXPECT_EQ(bits(a.output.every_time), bits(b.output.every_time));
   EXPECT_EQ(a.output.every_steps, b.output.every_steps);
   EXPECT_EQ(a.output.snapshots, b.output.snapshots);
+  EXPECT_EQ(a.output.formats, b.output.formats);
   EXPECT_EQ(a.output.checkpoint_every_steps, b.output.checkpoint_every_steps);
 }
 
@@ -136,6 +137,7 @@ TEST(RoundTrip, OfEverythingElseThatCanBeSet) {
       "[method]\nname = \"mean-field\"\ninertia = \"dynamic\"\nsolver = \"gauss-seidel\"\naccuracy = 0.003\n"
       "tolerance = 1e-9\nlargest_step = \"7 min\"\nsmallest_step = 1e-17\n"
       "[output]\nevery_time = \"1 min\"\nevery_steps = 3\nsnapshots = false\n"
+      "formats = [\"xyz\", \"lammps\"]\n"
       "[[particles]]\nids = [0, 5, 123456789012]\nfixed = true\n"
       "[[particles]]\nids = [1]\nforce = [\"1 uN\", -0.0, \"0.3 nN\"]\n");
 }

@@ -37,10 +37,11 @@ TEST(ExtendedXyz, FilesLookAsDocumented) {
 TEST(LammpsDump, FilesLookAsDocumented) {
   const TemporaryFolder folder;
   write_lammps_dump(folder / "a.dump", small_frame());
-  EXPECT_EQ(bytes_of(folder / "a.dump"),
-            "ITEM: TIME\n0.5\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n"
-            "-0.5 2.5\n-0.125 3.5\n-0.125 4.5\nITEM: ATOMS id x y z radius vx vy vz neck_radius group\n"
-            "4 1 2 3 1.5 1.0 0.0 -2.0 1.0 7\n1 0.25 0 0 0.125 0.5 0.0 0.0 2.0 8\n");
+  EXPECT_EQ(
+      bytes_of(folder / "a.dump"),
+      "ITEM: TIME\n0.5\nITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n"
+      "-0.5 2.5\n-0.125 3.5\n-0.125 4.5\nITEM: ATOMS id element x y z radius vx vy vz neck_radius group\n"
+      "4 X 1 2 3 1.5 1.0 0.0 -2.0 1.0 7\n1 X 0.25 0 0 0.125 0.5 0.0 0.0 2.0 8\n");
 }
 
 TEST(LammpsDump, PeriodicCellsKeepTheirCorner) {
