@@ -8,13 +8,16 @@ import re
 import subprocess
 import sys
 
+CASE_TEXT = """A quantity is a string with a unit ("5 um", "10 K/min") or a bare number in SI units. Unknown keys, wrong types
+and units, and values out of range are faults; all are told at once. Relative paths are relative to the case file's folder."""
+
 
 def ask(program, *arguments):
     return subprocess.run([program, *arguments], capture_output=True, text=True, check=True).stdout
 
 
 def parse_help(text):
-    """(first line, usage, {heading: [(term, text)]}) of a page that CLI11 printed; lines that are indented further go on."""
+    """(first line, usage, {heading: [(term, text)]}) of a page of CLI11; lines that are indented further go on."""
     lines = text.splitlines()
     usage = next(line.removeprefix("Usage: ") for line in lines if line.startswith("Usage: "))
     sections, entries = {}, None
@@ -73,9 +76,7 @@ def command_page(program):
 def case_page(program):
     page = f'.TH FRIT\\-CASE 5 "" "frit {program.version}" "File Formats"\n'
     page += ".SH NAME\nfrit\\-case \\- keys of a case file of frit (TOML)\n"
-    page += ".SH DESCRIPTION\n" + roff('A quantity is a string with a unit ("5 um", "10 K/min") or a bare number in SI units. Unknown '
-                                       "keys, wrong types and units, and values out of range are faults; all are told at once. "
-                                       "Relative paths are relative to the case file's folder.") + "\n"
+    page += ".SH DESCRIPTION\n" + roff(CASE_TEXT) + "\n"
     for keys in program.key_texts:
         page += f".SH {roff(keys[0][0].split('.')[0].upper())}\n"
         for key in keys:
@@ -123,8 +124,9 @@ complete -o filenames -F _frit frit
 
 def main(path, folder):
     program = Program(path)
-    for name, text in (("frit.1", command_page(program)), ("frit-case.5", case_page(program)), ("frit.bash", completion(program))):
-        (pathlib.Path(folder) / name).write_text(text)
+    pages = {"frit.1": command_page, "frit-case.5": case_page, "frit.bash": completion}
+    for name, write in pages.items():
+        (pathlib.Path(folder) / name).write_text(write(program))
 
 
 if __name__ == "__main__":

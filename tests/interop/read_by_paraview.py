@@ -1,4 +1,7 @@
-"""ParaView shows a result with the script that is shipped. Skipped without pvpython, whose Debian package excludes python3-vtk9."""
+"""ParaView shows a result with the script that is shipped.
+
+Skipped without pvpython, whose Debian package excludes python3-vtk9.
+"""
 
 import os
 import pathlib

@@ -44,13 +44,15 @@ def _override_texts(overrides: Overrides) -> list[str]:
     return [f"{key}={_toml(value)}" for key, value in overrides.items()]
 
 
-def _array(name: str, values: ArrayLike, shape: tuple[Optional[int], ...], kind: type, faults: list[str]) -> numpy.ndarray:
+def _array(name: str, values: ArrayLike, shape: tuple[Optional[int], ...], kind: type,
+           faults: list[str]) -> numpy.ndarray:
     """The values as an array of `kind`; None in `shape` is any length. What does not fit goes to `faults`."""
     array = numpy.asarray(values)
     fits = array.ndim == len(shape) and all(want in (None, have) for want, have in zip(shape, array.shape))
-    wanted = "(" + ", ".join("any" if length is None else str(length) for length in shape) + ("," if len(shape) == 1 else "") + ")"
+    wanted = ", ".join("any" if length is None else str(length) for length in shape)
+    trailing = "," if len(shape) == 1 else ""
     if not fits:
-        faults.append(f"{name}: the shape is {array.shape}; allowed: {wanted}")
+        faults.append(f"{name}: the shape is {array.shape}; allowed: ({wanted}{trailing})")
     elif not numpy.can_cast(array.dtype, kind, "same_kind"):
         faults.append(f"{name}: numbers of type {array.dtype}; allowed: {numpy.dtype(kind)}")
     else:
@@ -79,7 +81,8 @@ class Packing:
         self.contacts = None if contacts is None else _array("contacts", contacts, (None, 2), numpy.int64, faults)
         self.neck_radii = None
         if neck_radii is not None:
-            self.neck_radii = _array("neck_radii", neck_radii, (0 if self.contacts is None else len(self.contacts),), float, faults)
+            count = 0 if self.contacts is None else len(self.contacts)
+            self.neck_radii = _array("neck_radii", neck_radii, (count,), float, faults)
         if faults:
             error = InputError("\n".join(faults))
             error.faults = faults
@@ -141,7 +144,7 @@ class Case:
         return value
 
     def resolve_in(self, folder: Optional[PathLike]) -> _frit.Case:
-        """The case for a run; a packing from arrays is written to `folder`, or to a temporary one that lives as long as this."""
+        """The case for a run; a packing from arrays is written to `folder`, or to one that lives as long as this."""
         if self._packing is None:
             return _frit.Case(self._text, self._name, _override_texts(self._overrides))
         target = os.path.abspath(folder if folder is not None else self._temporary)

@@ -24,11 +24,12 @@ class Ending(NamedTuple):
 class Simulation:
     """A run that is set up and has its first row; `step` or `run` take it on.
 
-    case: what to simulate. folder: where to write what `frit run` writes; None: nowhere. replace: results that are in the
-    folder already are replaced. InputError with all faults of packing and folder; MachineError where files cannot be written.
+    case: what to simulate. folder: where to write what `frit run` writes; None: nowhere. replace: results that are in
+    the folder already are replaced. InputError with all faults of the packing, or of the folder; MachineError where files
+    cannot be written.
 
-    The interpreter is free for other threads while frit computes. Ctrl-C raises KeyboardInterrupt after the step that is being
-    made; the run can then go on. Used as a context, a run that has not ended is stopped at the end:
+    The interpreter is free for other threads while frit computes. Ctrl-C raises KeyboardInterrupt after the step that is
+    being made; the run can then go on. Used as a context, a run that has not ended is stopped at the end:
 
         with frit.Simulation(case, "results/case") as simulation:
             while simulation.step():
@@ -81,7 +82,7 @@ class Simulation:
 
     @property
     def state(self) -> _frit.State:
-        """Particles and contacts now. A State never changes: after a step there is a new one, and arrays of the old stay good."""
+        """Particles and contacts now. A State never changes: after a step there is a new one, arrays of the old stay good."""
         return self._session.state()
 
     @property
