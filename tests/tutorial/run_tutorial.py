@@ -1,9 +1,12 @@
 """Runs a page of Markdown in a folder of its own: files are written, commands run, shown output must come out.
 
-run_tutorial.py PAGE     blocks: toml and python whose first line is "# NAME" become files; each line of sh is a command, which may
-                         end with "# exit code N"; each line of text must be in what the commands before it have printed, blanks
-                         aside (where it ends, more may follow). With FRIT_UPDATE=1 lines and pictures are renewed;
-                         what the text around them says is for whoever renews to check.
+run_tutorial.py PAGE
+
+toml and python   whose first line is "# NAME" become files
+sh                each line is a command, which may end with "# exit code N"
+text              each line must be one that the commands before it have printed, blanks aside; "..." at its end: more may follow
+
+With FRIT_UPDATE=1 lines and pictures are renewed; what the text around them says is for whoever renews to check.
 """
 import difflib
 import os
@@ -36,18 +39,22 @@ def run(command, folder):
     return done.stdout
 
 
-def squeezed(text):
-    return "\n".join(" ".join(line.split()) for line in text.splitlines())
+def squeezed(line):
+    return " ".join(line.split())
 
 
 def as_shown(line, printed):
     """The line, or with FRIT_UPDATE=1 the printed one that is most like it; ends the test where there is none."""
-    if "\n" + " ".join(line.split()) in printed:
+    lines = {squeezed(candidate): candidate for candidate in printed.splitlines()}
+    begin = squeezed(line.removesuffix("..."))
+    if begin in lines or line.endswith("...") and any(candidate.startswith(begin) for candidate in lines):
         return line
-    near = difflib.get_close_matches(line, printed.splitlines(), n=1) if UPDATE else []
+    near = difflib.get_close_matches(squeezed(line), lines, n=1) if UPDATE else []
     if not near:
-        sys.exit(f"the page shows this line, the commands did not print it:\n{line}\nthey printed:{printed}")
-    return near[0]
+        sys.exit(f"the page shows this line, the commands did not print it:\n{line}\nthey printed:\n{printed}")
+    if not line.endswith("..."):
+        return lines[near[0]]
+    return ",".join(lines[near[0]].split(",")[:line.count(",") + 1]) + "..."
 
 
 def follow(text, folder):
@@ -58,7 +65,7 @@ def follow(text, folder):
         if kind == "sh":
             for command in lines:
                 counts["sh"] += 1
-                printed += "\n" + squeezed(run(command, folder))
+                printed += run(command, folder) + "\n"
         elif kind == "text":
             for line in lines:
                 counts["text"] += 1
