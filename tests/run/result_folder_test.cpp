@@ -154,10 +154,9 @@ TEST(Folders, ResultsAreNotReplacedUnasked) {
 TEST(Folders, ReplacingRemovesResultsAndNothingElse) {
   const io::TemporaryFolder folder;
   make_folder(folder / "out/snapshots");
-  const std::vector<std::string> ours{"out/series.csv", "out/summary.json",
-                                      "out/snapshots/particles_000007.vtp",
-                                      "out/snapshots/particles_000007.xyz",
-                                      "out/snapshots/particles_000007.dump"};
+  const std::vector<std::string> ours{
+      "out/series.csv", "out/summary.json", "out/snapshots/particles_000007.vtp",
+      "out/snapshots/particles_000007.xyz", "out/snapshots/particles_000007.dump"};
   const std::vector<std::string> theirs{"out/notes.txt", "out/snapshots/mine.vtp",
                                         "out/snapshots/particles_.txt"};
   for (const auto& name : ours) folder.write(name, "");
