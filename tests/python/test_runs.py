@@ -161,7 +161,7 @@ class OtherThreads(unittest.TestCase):
                 ticks.append(time.monotonic())
                 time.sleep(0.001)
 
-        simulation = frit.Simulation(frit.parse_case(CASE, {"packing.count": 2000}))
+        simulation = frit.Simulation(frit.parse_case(CASE, {"packing.count": 4000}))
         other = threading.Thread(target=tick)
         other.start()
         begin = time.monotonic()
@@ -170,7 +170,7 @@ class OtherThreads(unittest.TestCase):
         done.set()
         other.join()
         during = sum(begin < t < end for t in ticks)
-        self.assertGreater(during, 0.02 * (end - begin) / 0.001, f"{during} ticks in {end - begin} s")
+        self.assertGreater(during, 5, f"in {end - begin} s")  # one or two slip in at the end of a step that holds the GIL
 
     def test_several_threads_may_look_and_step(self):
         simulation = frit.Simulation(frit.parse_case(CASE, {"stop.relative_density": 0.66}))

@@ -19,7 +19,7 @@ TEST(RunInPieces, IsTheSameRun) {
   Recorder at_once, in_pieces;
   const Ending ending = run_case(whole, {&at_once});
   StageClock clock;
-  const Setup setup = make_setup(whole);
+  const run::Setup setup = make_setup(whole);
   Simulation simulation(setup, clock);
   const std::array<RunListener*, 1> listeners{&in_pieces};
   std::optional<Ending> ended = simulation.start(listeners);
@@ -39,7 +39,7 @@ TEST(RunInPieces, IsTheSameRun) {
 TEST(RunInPieces, AStopGivesTheLastRowAndTellsWhy) {
   const io::TemporaryFolder folder;
   StageClock clock;
-  const Setup setup = make_setup(pair_case(folder, {"output.every_time=60"}));
+  const run::Setup setup = make_setup(pair_case(folder, {"output.every_time=60"}));
   Simulation simulation(setup, clock);
   Recorder recorder;
   const std::array<RunListener*, 1> listeners{&recorder};
