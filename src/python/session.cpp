@@ -27,7 +27,9 @@ void Session::tell(const Work& work) {
 
 void Session::close(const std::optional<run::Ending>& ending) {
   ending_ = ending;
-  if (ending && folder_ && setup_->whole.output.report && report::has_page())
+  if (!ending) return;
+  files_.reset();  // nothing more is written: others may have the folder
+  if (folder_ && setup_->whole.output.report && report::has_page())
     report::write_page(std::array{*folder_}, *folder_ / "report.html");
 }
 

@@ -83,7 +83,7 @@ class Driving(FolderTest):
         with frit.Simulation(self.case, self.folder / "out") as simulation:
             simulation.step()
         result = frit.read_result(self.folder / "out")
-        self.assertEqual(simulation.ending, (0, "stopped by the caller"))
+        self.assertEqual(simulation.ending, (4, "stopped by the caller"))
         self.assertEqual(result.series["time"][-1], simulation.state.time)
         self.assertLess(simulation.state.time, 60)
         self.assertEqual(result.summary["steps"], 1)

@@ -16,7 +16,10 @@ PathLike = Union[str, os.PathLike]
 
 
 class Ending(NamedTuple):
-    """How a run ended. code: that of the program, 0 done, 3 could not be computed, 128 and more stopped by a signal."""
+    """How a run ended.
+
+    code: as the program's: 0 done, 3 could not be computed, 4 stopped early by its caller, 128 and more by a signal.
+    """
     code: int
     reason: str
 
@@ -69,7 +72,7 @@ class Simulation:
 
     def stop(self, reason: str = "stopped by the caller") -> None:
         """Ends the run here: last row, summary.json, report. A run that has ended stays as it is."""
-        self._session.stop(0, reason)
+        self._session.stop(4, reason)
 
     def __enter__(self) -> "Simulation":
         return self
