@@ -67,7 +67,8 @@ def command_page(program):
                 page += entry(term, meaning)
     page += ".SH OPTIONS\n" + "".join(entry(*option) for option in program.options)
     codes = {"0": "done", "1": "the machine failed: disk, memory, a file", "2": "wrong input",
-             "3": "the run could not be computed", "5": "a check of the program itself failed",
+             "3": "the run could not be computed", "4": "stopped by --max-wall, after a checkpoint",
+             "5": "a check of the program itself failed",
              "130, 143": "stopped by a signal, after its step"}
     page += ".SH EXIT STATUS\n" + "".join(entry(*code) for code in codes.items())
     return page + ".SH SEE ALSO\n.BR frit\\-case (5)\n"
