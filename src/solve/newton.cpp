@@ -67,7 +67,7 @@ class NewtonSolve {
       settle_few({0.05 * residual_.force, 0.5 * residual_.force});
     }
     solution_.multiplier = gradient_.multiplier();
-    balance_at_the_end();
+    balance_momentum(problem_, find_clusters(problem_, solution_), solution_);
     return report_;
   }
 
@@ -117,18 +117,6 @@ class NewtonSolve {
   void evaluate_again() {
     report_.history.pop_back();
     evaluate();
-  }
-
-  // Balanced momentum must not unbalance forces: a body that touches another without force may be taken for
-  // free.
-  void balance_at_the_end() {
-    const std::vector<double> motion = solution_.motion;
-    const double before = residual_.worst();
-    balance();
-    if (residual_.worst() > std::max(options_.tolerance, before)) {
-      solution_.motion = motion;
-      evaluate();
-    }
   }
 
   void evaluate() {
