@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel.hpp"
 #include "core/stopwatch.hpp"
@@ -30,6 +31,7 @@ constexpr double noticed_progress = 0.01;
 // has run off along a mechanism.
 constexpr double largest_turn = 0.1;
 constexpr double error_per_squared_difference = 2.0;
+constexpr double least_tolerance = 1e-12;  // what round-off allows
 
 // Rotation of a rotation vector that is the tangent form of the mid-step rule: |vector| = 2 tan(angle / 2),
 // so that a rigid rotation of any angle is exact (theory.md, eq. 11).
@@ -152,6 +154,28 @@ double mean_turn(const State& from, const State& to) {
   return std::sqrt(squares / static_cast<double>(necks));
 }
 
+// What a neck opposes to further approach once it has grown as far as its pull alone brings it in the step
+// [force per approach].
+double final_resistance(const solve::NormalResponse& r) {
+  if (r.viscosity == 0.0 || r.pull <= 0.0) return std::numeric_limits<double>::infinity();
+  const double q =
+      std::min(r.cap, std::cbrt(std::max(0.0, r.start * r.start * r.start + r.pull / r.viscosity)));
+  return 3.0 * r.viscosity * r.growth * q * q;
+}
+
+// The residual that, spread over all bodies, moves no neck by more than a small share of its smaller sphere.
+// A grain that has long been at equilibrium in a step made for far larger ones resists next to nothing, and
+// creeps by whatever the solver leaves.
+double harmless_residual(const solve::Problem& problem, std::size_t necks) {
+  constexpr double negligible_creep = 0.01;  // per radius
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < necks; ++k) {
+    const solve::Edge& edge = problem.edges[k];
+    least = std::min(least, std::min(edge.arm_i, edge.arm_j) * final_resistance(edge.response));
+  }
+  return negligible_creep * least * std::sqrt(static_cast<double>(problem.bodies())) / problem.force_unit;
+}
+
 }  // namespace
 
 struct ImplicitStep::Passes {
@@ -177,9 +201,10 @@ bool ImplicitStep::solve_pass(const solve::Options& options, solve::Solution sta
   return solved.converged;
 }
 
-solve::Options ImplicitStep::options(double tolerance) const {
+solve::Options ImplicitStep::options(const solve::Problem& problem, std::size_t necks,
+                                     double tolerance) const {
   solve::Options options;
-  options.tolerance = tolerance;
+  options.tolerance = std::clamp(harmless_residual(problem, necks), least_tolerance, tolerance);
   options.mechanisms_at_rest = settings_.inertia != network::Inertia::dynamic;
   if (settings_.solver == Solver::gauss_seidel) options.largest_linear_iterations = most_sweeps;
   return options;
@@ -192,7 +217,8 @@ bool ImplicitStep::solve_first(const network::StepInput& input, Passes& passes, 
   solve::Solution start = network::make_start(input, passes.problem);
   predict(input, start);
   report.times.problem += watch.lap();
-  solve::Options rough = options(std::max(settings_.tolerance, 0.03 * settings_.accuracy));
+  solve::Options rough = options(passes.problem, input.state.contacts.size(),
+                                 std::max(settings_.tolerance, 0.03 * settings_.accuracy));
   rough.settles_mechanisms = rough.mechanisms_at_rest;
   return solve_pass(rough, std::move(start), passes, report);
 }
@@ -206,7 +232,8 @@ bool ImplicitStep::solve_second(const network::StepInput& input, solve::Solution
   passes.problem = network::make_problem(input, &passes.estimate);
   start.multiplier.resize(passes.problem.edges.size(), 0.0);
   report.times.problem += watch.lap();
-  return solve_pass(options(settings_.tolerance), std::move(start), passes, report);
+  return solve_pass(options(passes.problem, input.state.contacts.size(), settings_.tolerance),
+                    std::move(start), passes, report);
 }
 
 // A first and a second order result. The relative error of the second is of the order of the square of their
@@ -283,7 +310,9 @@ void ImplicitStep::judge_error(const State& from, StepReport& report) const {
 
 void ImplicitStep::check_work(const network::StepInput& input, const Passes& passes, StepReport& report) {
   report.work = work_of(input, passes.problem, passes.solution);
-  if (is_consistent(report.work, input, passes.problem, passes.solution, settings_.tolerance)) return;
+  const double tolerance =
+      options(passes.problem, input.state.contacts.size(), settings_.tolerance).tolerance;
+  if (is_consistent(report.work, input, passes.problem, passes.solution, tolerance)) return;
   report.verdict = Verdict::inconsistent;
   failed_ = FailedSolve{passes.problem, passes.solution};
 }

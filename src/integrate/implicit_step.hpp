@@ -41,7 +41,7 @@ class ImplicitStep : public Stepper {
 
  private:
   struct Passes;
-  solve::Options options(double tolerance) const;
+  solve::Options options(const solve::Problem& problem, std::size_t necks, double tolerance) const;
   bool solve_pass(const solve::Options& options, solve::Solution start, Passes& passes, StepReport& report);
   bool solve_first(const network::StepInput& input, Passes& passes, StepReport& report);
   bool solve_second(const network::StepInput& input, solve::Solution start, Passes& passes,
