@@ -11,8 +11,9 @@ namespace {
 
 // A sparse factor of more bodies than this takes more memory and time than it saves.
 constexpr std::size_t most_bodies_factored = 40000;
-// A factor is renewed when a solve with it took more iterations than that.
-constexpr long most_direct_iterations = 12;
+// A factor is renewed when a solve with it took more iterations than that, and at once, within a solve, when
+// it takes as many as renewing it costs.
+constexpr long most_direct_iterations = 12, iterations_per_factor = 20;
 // A coarse level is tried when block Jacobi needs more iterations for a decimal digit than this.
 constexpr double slow_rate = 30.0;
 // Work of one iteration with the coarse level, and of its set-up, in iterations of block Jacobi.
@@ -103,13 +104,25 @@ LinearReport LinearSolver::solve_with_levels(const Linearisation& place, std::sp
 LinearReport LinearSolver::solve_directly(const Linearisation& place, std::span<const double> right_side,
                                           const LinearOptions& options, std::vector<double>& x) {
   TangentOperator<double> matrix = operator_at<double>(problem_, place);
-  if (factored_damping_ != place.damping || direct_iterations_ > most_direct_iterations) {
+  const auto iterate = [&](long most_iterations) {
+    return conjugate_gradients<double>(matrix, {nullptr, direct_.get()}, right_side, x,
+                                       {options.relative_tolerance, most_iterations});
+  };
+  LinearReport report;
+  long wasted = 0;
+  bool is_done = false;
+  if (factored_damping_ == place.damping && direct_iterations_ <= most_direct_iterations) {
+    report = iterate(std::min(iterations_per_factor, options.largest_iterations));
+    is_done = !report.stalled;
+    if (!is_done) wasted = report.iterations;
+  }
+  if (!is_done) {
     direct_->factor(matrix);
     factored_damping_ = place.damping;
+    report = iterate(options.largest_iterations);
   }
-  const LinearReport report =
-      conjugate_gradients<double>(matrix, {nullptr, direct_.get()}, right_side, x, options);
   direct_iterations_ = report.iterations;
+  report.iterations += wasted;
   ++counts_.factored;
   ++counts_.in_double;
   return report;

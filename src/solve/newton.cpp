@@ -20,8 +20,8 @@ namespace {
 // Penalties for the iterations. A rigid stop takes a stiff one. A multiplier that a force of known size
 // limits takes a soft one, if asked: with a stiff one it comes into force within a hair's breadth, which
 // Newton's method cannot see coming.
-std::vector<double> penalties(const Problem& problem, const Options& options) {
-  std::vector<double> penalty = reference_penalty(problem, 1.0);
+std::vector<double> stiff_penalties(const Problem& problem, const Options& options,
+                                    std::vector<double> penalty) {
   for (std::size_t k = 0; k < penalty.size(); ++k) {
     const bool is_rigid = std::isinf(problem.edges[k].response.limit);
     if (is_rigid || !options.soft_limits) penalty[k] *= options.penalty_factor;
@@ -43,7 +43,7 @@ class NewtonSolve {
         solution_(solution),
         gradient_(problem),
         penalty_(reference_penalty(problem, 1.0)),
-        stiff_penalty_(penalties(problem, options)),
+        stiff_penalty_(stiff_penalties(problem, options, penalty_)),
         stiffening_(largest_factor(problem, options)),
         linear_(problem),
         opens_freely_(std::any_of(problem.edges.begin(), problem.edges.end(),

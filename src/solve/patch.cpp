@@ -111,13 +111,16 @@ std::vector<std::uint32_t> unbalanced_few(std::span<const double> gradient, std:
     if (square > negligible) worst.push_back({square, static_cast<std::uint32_t>(n)});
     left += square;
   }
-  std::sort(worst.begin(), worst.end(), [](const Body& a, const Body& b) {
-    return a.square != b.square ? a.square > b.square : a.index < b.index;
-  });
-  const auto most = static_cast<std::size_t>(largest_share * static_cast<double>(bodies));
+  const auto most =
+      std::min(worst.size(), static_cast<std::size_t>(largest_share * static_cast<double>(bodies)));
+  std::partial_sort(worst.begin(), worst.begin() + static_cast<std::ptrdiff_t>(most), worst.end(),
+                    [](const Body& a, const Body& b) {
+                      return a.square != b.square ? a.square > b.square : a.index < b.index;
+                    });
+  worst.resize(most);
   std::vector<std::uint32_t> few;
   for (const Body& body : worst) {
-    if (left <= wanted || few.size() >= most) break;
+    if (left <= wanted) break;
     few.push_back(body.index);
     left -= body.square;
   }
