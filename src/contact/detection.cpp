@@ -105,6 +105,7 @@ double least_pressed(const SinteringLaw& law, const Prospect& prospect, const Pa
 void merge_births(Contacts& contacts, std::vector<Birth>& births, double time) {
   if (births.empty()) return;
   Contacts merged;
+  merged.reserve(contacts.size() + births.size());
   std::size_t next = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     while (next < births.size() && before(births[next].pair, pair_at(contacts, k))) {
@@ -150,6 +151,7 @@ std::vector<Birth> grow_and_break(State& state, const SinteringLaw& law) {
   std::vector<Birth> parted;
   if (std::none_of(broken.begin(), broken.end(), [](std::uint8_t b) { return b != 0; })) return parted;
   Contacts whole;
+  whole.reserve(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     if (broken[k] == 0) {
       copy_contact(contacts, k, whole);

@@ -319,6 +319,7 @@ void ImplicitStep::check_work(const network::StepInput& input, const Passes& pas
 
 StepReport ImplicitStep::attempt(const State& from, const Stretch& stretch, State& to) {
   const double duration = stretch.duration;
+  failed_.reset();
   StepReport report;
   report.duration = duration;
   const network::Scale scale = network::scale_of(from.particles, settings_.law);

@@ -46,6 +46,7 @@ class Bracket {
 bool fit_density(const Attempt& attempt, const FitRange& range, Landing& landing) {
   Bracket bracket({0.0, range.start_density - range.target},
                   {landing.report.duration, landing.density - range.target});
+  landing.state = {};  // its memory, before the trials take as much
   std::optional<Landing> before;
   for (int trial = 0; trial < most_trials; ++trial) {
     Landing tried;

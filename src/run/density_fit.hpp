@@ -27,7 +27,8 @@ struct FitRange {
 };
 
 // `landing` has passed the target. Replaces it by a step that ends at the target within density_tolerance, or
-// else by the longest one found that ends before it. False when no trial was accepted: landing is untouched.
+// else by the longest one found that ends before it. False when no trial was accepted: the landing has no
+// state any more.
 bool fit_density(const Attempt& attempt, const FitRange& range, Landing& landing);
 
 }  // namespace frit::run

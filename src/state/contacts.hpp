@@ -42,6 +42,22 @@ struct Contacts {
     twisting_path.resize(count);
     sliding_path.resize(count);
   }
+  void reserve(std::size_t count) {
+    i.reserve(count);
+    j.reserve(count);
+    image.reserve(count);
+    neck_radius_squared.reserve(count);
+    overlap.reserve(count);
+    birth_neck_radius.reserve(count);
+    birth_time.reserve(count);
+    equilibrium_force.reserve(count);
+    normal_force.reserve(count);
+    approach_velocity.reserve(count);
+    sliding_velocity.reserve(count);
+    rolling_path.reserve(count);
+    twisting_path.reserve(count);
+    sliding_path.reserve(count);
+  }
 };
 
 // Faces that overlap without a neck between them (a broken neck): touch again at overlap_when_parted.
