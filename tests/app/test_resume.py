@@ -1,9 +1,11 @@
 """Runs that are stopped by anything at any moment go on to the same bits."""
 
+import concurrent.futures
 import os
 import pathlib
 import random
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -46,11 +48,18 @@ def bits(folder):
 class ResumeTest(ProgramTest):
     # In memory where there is such a place: hundreds of flushed files are slow on a busy disk.
     parent = "/dev/shm" if pathlib.Path("/dev/shm").is_dir() else None
+    made = None  # the run that nothing interrupted, by name and bytes of its files; made once for all tests
 
     def setUp(self):
         super().setUp()
         self.write("case.toml", CASE)
-        self.frit("run", "case.toml", "-o", "straight", "--quiet", "--threads", 1)
+        if ResumeTest.made is None:
+            self.frit("run", "case.toml", "-o", "straight", "--quiet", "--threads", 1)
+            ResumeTest.made = {str(p.relative_to(self.folder)): p.read_bytes()
+                               for p in sorted((self.folder / "straight").rglob("*")) if p.is_file()}
+        for name, content in ResumeTest.made.items():
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.folder / name).write_bytes(content)
         self.straight = bits(self.folder / "straight")
 
     def assert_same(self, folder):
@@ -143,7 +152,7 @@ class Kills(ResumeTest):
             while True:
                 arguments = ("resume", name) if has_checkpoint else ("run", "case.toml", "-o", name, "--force")
                 process = self.start(*arguments, "--quiet")
-                time.sleep(dice.uniform(0.0, 0.15))
+                time.sleep(dice.uniform(0.0, 0.1))
                 process.kill()
                 code, _, err = self.end(process)
                 kills += code == -signal.SIGKILL
@@ -166,22 +175,28 @@ class Machine(ResumeTest):
 
         def run(number, *arguments):
             environment = dict(os.environ, LD_PRELOAD=SHIM, FAIL_AT=str(number), COUNT_TO=str(self.folder / "count"))
-            return self.end(self.start(*arguments, "--quiet", env=environment))
+            return self.end(self.start(*arguments, "--quiet", "--threads", 1, env=environment))
 
         self.assertEqual(run(0, "run", "case.toml", *steps, "-o", "counted")[0], 0)
         calls = int((self.folder / "count").read_text())
         self.assertGreater(calls, 50)
-        for number in range(1, calls + 1, STRIDE):
-            code, _, err = run(number, "run", "case.toml", *steps, "-o", "torn", "--force")
+
+        def tear(number):
+            name = f"torn{number}"
+            code, _, err = run(number, "run", "case.toml", *steps, "-o", name)
             self.assert_machine_error(code, err)
             self.assertIn("No space left on device", err)
-            self.assertIn("torn", err)
-            if (self.folder / "torn" / "checkpoint.cbor").exists() or \
-                    (self.folder / "torn" / "checkpoint.previous.cbor").exists():
-                code, _, err = run(2, "resume", "torn")  # once more
+            self.assertIn(name, err)
+            if (self.folder / name / "checkpoint.cbor").exists() or \
+                    (self.folder / name / "checkpoint.previous.cbor").exists():
+                code, _, err = run(2, "resume", name)  # once more
                 self.assert_machine_error(code, err) if code else None
-                self.frit("resume", "torn", "--quiet")
-                self.assert_same(self.folder / "torn")
+                self.frit("resume", name, "--quiet", "--threads", 1)
+                self.assert_same(self.folder / name)
+            shutil.rmtree(self.folder / name, ignore_errors=True)
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(tear, range(1, calls + 1, STRIDE)))
         print(f"{(calls - 1) // STRIDE + 1} of {calls} calls failed, one at a time")
 
     def test_a_limit_on_the_size_of_files(self):
@@ -197,7 +212,7 @@ class Machine(ResumeTest):
     def test_a_limit_on_memory(self):
         """From too little to load the program up to enough: an exit code and a line, never a crash."""
         codes = []
-        for megabytes in range(20, 260, 24):
+        for megabytes in range(16, 400, 4):
             def limit():
                 resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
             code, _, err = self.end(self.start("run", "case.toml", "-o", "out", "--force", "--threads", 1, "--set",
@@ -207,11 +222,12 @@ class Machine(ResumeTest):
             if "shared libraries" in err:
                 continue
             codes.append(code)
-            if code != 0:
-                self.assert_machine_error(code, err)
-                self.assertIn("memory", err)
+            if code == 0:
+                break
+            self.assert_machine_error(code, err)
+            self.assertIn("memory", err)
         self.assertEqual(codes[-1], 0)
-        self.assertIn(1, codes)
+        self.assertGreater(len(codes), 5)
 
     @unittest.skipUnless(os.geteuid() == 0, "mounting needs root")
     def test_a_full_and_a_read_only_disk(self):
