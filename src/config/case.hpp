@@ -54,6 +54,7 @@ struct Material {
   double surface_energy = 0.0;  // [J/m^2]
   double dihedral_angle = 0.0;  // [rad]
   double atomic_volume = 0.0;   // [m^3]
+  std::optional<double> melting_temperature;  // [K]; unset: not known
   BoundaryDiffusion boundary_diffusion;
 };
 

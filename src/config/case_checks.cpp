@@ -105,7 +105,8 @@ class Checks {
     if (has("material.use")) return;
     for (const Key& key : schema()) {
       const std::string path(key.path);
-      if (path.starts_with("material.") && path != "material.use" && !has(path))
+      const bool is_needed = path != "material.use" && path != "material.melting_temperature";
+      if (path.starts_with("material.") && is_needed && !has(path))
         fault(path,
               "missing; allowed is " + type_text(key) + "; or start from a material, e.g. use = \"copper\"");
     }

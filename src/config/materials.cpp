@@ -21,23 +21,28 @@ const std::array<BuiltInMaterial, 3>& table() {
                    .density = 8960,
                    .surface_energy = 1.72,
                    .atomic_volume = 1.18e-29,
+                   .melting_temperature = 1357.77,
                    .boundary_diffusion = {.prefactor = 5.12e-15, .activation_energy = 105e3}},
                   "146 deg"),
-       "Swinkels & Ashby 1981 (Frost & Ashby 1982 give 5.0e-15 m^3/s and 104 kJ/mol)"},
+       "Swinkels & Ashby 1981 (Frost & Ashby 1982 give 5.0e-15 m^3/s and 104 kJ/mol); melting: ITS-90"},
       {with_angle({.use = "nickel",
                    .density = 8908,
                    .surface_energy = 2.0,
                    .atomic_volume = 1.09e-29,
+                   .melting_temperature = 1728,
                    .boundary_diffusion = {.prefactor = 3.5e-15, .activation_energy = 232e3}},
                   "146 deg"),
-       "Z. Yan, thesis, TU Darmstadt and Grenoble, 2013, table 6.1 (the activation energy is a fit)"},
+       "Z. Yan, thesis, TU Darmstadt and Grenoble, 2013, table 6.1 (the activation energy is a fit); "
+       "melting: NIST-JANAF tables (Chase 1998)"},
       {with_angle({.use = "alumina",
                    .density = 3980,
                    .surface_energy = 1.1,
                    .atomic_volume = 8.47e-30,
+                   .melting_temperature = 2327,
                    .boundary_diffusion = {.prefactor = 1.3e-8, .activation_energy = 475e3}},
                   "120 deg"),
-       "Wonisch et al. 2007, as quoted by Z. Yan 2013 (the dihedral angle is assumed)"},
+       "Wonisch et al. 2007, as quoted by Z. Yan 2013 (the dihedral angle is assumed); "
+       "melting: NIST-JANAF tables (Chase 1998)"},
   }};
   return built_in;
 }
@@ -66,6 +71,7 @@ std::string materials_text() {
     text += fmt::format("  surface_energy      {:.6g} J/m^2\n", material.surface_energy);
     text += fmt::format("  dihedral_angle      {:.6g} deg\n", material.dihedral_angle * 180.0 / pi);
     text += fmt::format("  atomic_volume       {:.6g} m^3\n", material.atomic_volume);
+    text += fmt::format("  melting_temperature {:.6g} K\n", material.melting_temperature.value_or(0.0));
     text += fmt::format("  boundary_diffusion  {:.6g} m^3/s * exp(-{:.6g} kJ/mol / (R_gas T))\n",
                         material.boundary_diffusion.prefactor,
                         material.boundary_diffusion.activation_energy / 1e3);

@@ -153,6 +153,13 @@ std::vector<Key> material_keys() {
        .slot = in_case<&Case::material, &Material::atomic_volume>(),
        .range = positive,
        .sentence = "Volume Omega of an atom (for compounds, of the slowest species)."},
+      {.path = "material.melting_temperature",
+       .type = Type::quantity,
+       .quantity = Quantity::temperature,
+       .slot = in_case<&Case::material, &Material::melting_temperature>(),
+       .range = positive,
+       .sentence =
+           "Temperature at which the solid melts; a furnace that passes it is warned of. Not needed."},
       {.path = "material.boundary_diffusion.prefactor",
        .type = Type::quantity,
        .quantity = Quantity::boundary_diffusion,

@@ -116,6 +116,7 @@ Setup make_setup(const config::Case& whole, State state) {
   const double time_scale =
       time_scale_of(length, settings.law.surface_energy, heating.diffusion.delta_b(heating.hottest));
   std::vector<std::string> warnings = find_warnings(whole, state, density);
+  if (auto melting = warn_of_melting(whole, heating)) warnings.push_back(std::move(*melting));
   const double hottest = heating.diffusion.delta_b(heating.hottest);
   if (auto inertia = warn_of_inertia(whole, state, hottest)) warnings.push_back(std::move(*inertia));
   return {.whole = whole,

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/constants.hpp"
 #include "integrate/stable_step.hpp"
 #include "neighbor/neighbor.hpp"
-#include "run/translate.hpp"
 
 namespace frit::run {
 namespace {
@@ -85,6 +85,21 @@ void check_round_off(const config::Case& whole, const Particles& particles, Faul
                   origin_of(whole), farthest, smallest, allowed));
 }
 
+// Largest extent of the centres along an axis [m].
+double width_of(const Particles& particles) {
+  Vec3 least = particles.position.front(), most = least;
+  for (const Vec3& x : particles.position) {
+    least = least.cwiseMin(x);
+    most = most.cwiseMax(x);
+  }
+  return (most - least).maxCoeff();
+}
+
+double mean_radius_of(const Particles& particles) {
+  return std::accumulate(particles.radius.begin(), particles.radius.end(), 0.0) /
+         static_cast<double>(particles.size());
+}
+
 bool has_force(const Particles& particles) {
   return std::any_of(particles.force.begin(), particles.force.end(),
                      [](const Vec3& f) { return !f.isZero(0.0); });
@@ -96,6 +111,18 @@ bool is_compressed(const config::Case& whole, const State& state) {
   if (!state.cell.periodic) return false;
   if (whole.cell.strain_rate) return whole.cell.strain_rate->minCoeff() < 0.0;
   return whole.cell.stress && whole.cell.stress->minCoeff() < 0.0;
+}
+
+// When the furnace, which gets hotter than T [K], first does so [s].
+double first_time_at(const Heating& heating, double T) {
+  double now = heating.start, time = 0.0;
+  for (const integrate::Ramp& ramp : heating.ramps) {
+    const double end = now + ramp.rate * ramp.duration;
+    if (now > T || end > T) return now > T ? time : time + (T - now) / ramp.rate;
+    now = end;
+    time += ramp.duration;
+  }
+  return time;
 }
 
 }  // namespace
@@ -124,8 +151,9 @@ void check_contacts(const config::Case& whole, const State& state, FaultTexts& f
   if (contacts.size() == 0 && !is_compressed(whole, state)) {
     faults.push_back(fmt::format(
         "{}: no two particles touch and nothing would bring them together, so nothing can sinter; "
-        "allowed: a packing with contacts, or a load",
-        origin_of(whole)));
+        "allowed: a packing with contacts, or a load (it is {:.6g} m wide, its mean radius is {:.6g} m: are "
+        "the units right?)",
+        origin_of(whole), width_of(state.particles), mean_radius_of(state.particles)));
   }
   if (!whole.packing.contacts) return;
   Counted apart(faults);
@@ -193,6 +221,18 @@ std::vector<std::string> find_warnings(const config::Case& whole, const State& s
         observe::smallest_core));
   }
   return warnings;
+}
+
+std::optional<std::string> warn_of_melting(const config::Case& whole, const Heating& heating) {
+  const std::optional<double> melting = whole.material.melting_temperature;
+  if (!melting || heating.hottest <= *melting) return std::nullopt;
+  const double passed = first_time_at(heating, *melting);
+  if (whole.stop.time && *whole.stop.time <= passed) return std::nullopt;
+  return fmt::format(
+      "temperature: the furnace passes {:.6g} K, where the material melts (material.melting_temperature), at "
+      "{:.6g} s on its way to {:.6g} K; only sintering of the solid is computed, so what follows means "
+      "nothing",
+      *melting, passed, heating.hottest);
 }
 
 std::optional<std::string> warn_of_inertia(const config::Case& whole, const State& state, double delta_b) {

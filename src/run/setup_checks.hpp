@@ -8,6 +8,7 @@
 #include "config/case.hpp"
 #include "generate/packing.hpp"
 #include "observe/reference.hpp"
+#include "run/translate.hpp"
 #include "state/state.hpp"
 
 namespace frit::run {
@@ -26,6 +27,9 @@ void check_stop(const config::Case& whole, const observe::Reference& reference, 
 
 // What is allowed but worth knowing.
 std::vector<std::string> find_warnings(const config::Case& whole, const State& state, double density);
+
+// That the furnace passes the melting temperature before the run's stop.time, if it does.
+std::optional<std::string> warn_of_melting(const config::Case& whole, const Heating& heating);
 
 // Explicit dynamics: that the multiplied mass spoils young necks, if it does at this Delta_b [m^5/(N s)].
 std::optional<std::string> warn_of_inertia(const config::Case& whole, const State& state, double delta_b);

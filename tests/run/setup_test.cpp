@@ -56,6 +56,23 @@ TEST(Setup, PeriodicPositionsAreInsideTheCell) {
   EXPECT_NEAR(packing.particles.position[0].z(), 2.9e-5, 1e-18);
 }
 
+TEST(Setup, AFurnaceThatPassesTheMeltingTemperatureIsWarnedOf) {
+  const io::TemporaryFolder folder;
+  const auto warnings = [&](std::vector<std::string> overrides) {
+    overrides.push_back("temperature.start=1000");
+    overrides.push_back("temperature.program=[{rate = 1, to = 1300}, {hold = 100}, {rate = 2, to = 1400}]");
+    return make_setup(pair_case(folder, overrides)).warnings;
+  };
+  const auto told = warnings({"stop.time=1000"});
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("passes 1357.77 K"), std::string::npos) << told[0];
+  EXPECT_NE(told[0].find("at 428.885 s on its way to 1400 K"), std::string::npos)
+      << told[0];  // 300 + 100 + 57.77/2
+  EXPECT_TRUE(warnings({"stop.time=428"}).empty()) << "the run ends before";
+  EXPECT_TRUE(warnings({"stop.time=1000", "material.melting_temperature=1500"}).empty());
+  EXPECT_EQ(make_setup(pair_case(folder, {"temperature.start=1100 degC"})).warnings.size(), 1U);
+}
+
 TEST(Setup, GroupsHoldAndLoadTheirParticles) {
   const io::TemporaryFolder folder;
   const auto setup = make_setup(
