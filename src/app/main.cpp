@@ -25,12 +25,31 @@ int tell_faults(const frit::InputError& error) {
   return wrong_input;
 }
 
+// What is wrong with the command line, in the words of one who typed it.
+std::string fault_of(const CLI::App& app, int argc, char** argv, const CLI::ParseError& error) {
+  const auto used = app.get_subcommands();
+  if (used.empty()) {
+    std::string names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      names += (names.empty() ? "" : ", ") + command->get_name();
+    return fmt::format("{}; allowed: {}",
+                       argc > 1 ? fmt::format("'{}' is no command", argv[1]) : "a command is missing", names);
+  }
+  const std::string command = used.front()->get_name();
+  std::string what = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    what = "not expected:";
+    for (const std::string& word : used.front()->remaining()) what += " " + word;
+  }
+  return fmt::format("{}: {}; frit {} --help tells what is", command, what, command);
+}
+
 int run_command(CLI::App& app, int argc, char** argv, frit::app::Command& chosen) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return tell(std::string(error.what()) + "; frit --help tells more", wrong_input);
+    return tell(fault_of(app, argc, argv, error), wrong_input);
   }
   return chosen();
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/commands.hpp"
+#include "core/error.hpp"
 #include "io/text.hpp"
 #include "solve/dump.hpp"
 #include "solve/gauss_seidel.hpp"
@@ -25,10 +26,18 @@ struct ReplayOptions {
   double tolerance = 1e-6;
 };
 
+solve::Dumped load(const std::filesystem::path& path) {
+  const std::string text = io::read_file_whole(path);
+  try {
+    return solve::load_dump({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("{}: {}; wanted is the failed_problem.cbor of a run", path.string(), error.what()));
+  }
+}
+
 int replay(const ReplayOptions& options) {
-  const std::string text = io::read_file_whole(options.problem);
-  const solve::Dumped dumped =
-      solve::load_dump({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  const solve::Dumped dumped = load(options.problem);
   solve::Solution solution = dumped.start;
   solve::Options settings;
   settings.tolerance = options.tolerance;

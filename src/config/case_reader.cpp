@@ -81,13 +81,25 @@ class Walk {
     }
   }
 
+  // The key of another section with the nearest last name.
+  static std::string did_you_mean_elsewhere(const std::string& name) {
+    const auto last_name = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
+    std::vector<std::string> names;
+    for (const std::string& path : all_paths()) names.push_back(last_name(path));
+    const auto near = nearest(name, names, 1);
+    if (near.empty()) return "";
+    for (const std::string& path : all_paths())
+      if (last_name(path) == near.front()) return fmt::format("; did you mean {}?", path);
+    return "";
+  }
+
   // Names the nearest key of the section, or, where none is near, of the whole schema.
   void report_unknown(const Entry& entry, const Section& at) {
     const auto dot = at.path.rfind('.');
     const std::string section = dot == std::string::npos ? "" : at.path.substr(0, dot);
     const auto siblings = names_in(section);
     auto hint = did_you_mean(entry.key, siblings);
-    if (hint.empty()) hint = did_you_mean(at.path, all_paths());
+    if (hint.empty()) hint = did_you_mean_elsewhere(entry.key);
     std::string names;
     for (const auto& name : siblings) names += (names.empty() ? "" : ", ") + name;
     faults_.add(entry.place, at.shown.substr(0, 200),
@@ -200,7 +212,7 @@ Case parse_case(std::string_view text, const std::string& name, const std::vecto
   try {
     document = read_toml(text);
   } catch (const TextFault& fault) {
-    faults.add({.line = fault.line()}, "", fault.what());
+    faults.add({.line = fault.line()}, "", fmt::format("not TOML: {}", fault.what()));
   }
   faults.throw_if_any();
   for (std::size_t n = 0; n < overrides.size(); ++n)

@@ -57,6 +57,18 @@ void move_to(Node& node, Place place) {
     }
 }
 
+// The library's words without its lead, and what usually is behind them.
+std::string fault_text(std::string_view said) {
+  const auto lead = said.find(": ");
+  if (said.starts_with("Error while parsing") && lead != said.npos) said.remove_prefix(lead + 2);
+  std::string text(said);
+  if (said.starts_with("could not determine value type"))
+    text = "this is no value; a text stands in quotation marks, e.g. \"copper\"";
+  if (said.starts_with("cannot redefine")) text += "; allowed: once";
+  if (said.ends_with("saw ','")) text += "; a number has a decimal point";
+  return text;
+}
+
 }  // namespace
 
 Table read_toml(std::string_view text) {
@@ -65,7 +77,7 @@ Table read_toml(std::string_view text) {
   try {
     return convert_table(toml::parse(text));
   } catch (const toml::parse_error& error) {
-    throw TextFault(static_cast<int>(error.source().begin.line), std::string(error.description()));
+    throw TextFault(static_cast<int>(error.source().begin.line), fault_text(error.description()));
   }
 }
 

@@ -31,12 +31,19 @@ InputError wrong(const Key& key, const Node& node) {
                                 allowed.empty() ? "" : ": " + allowed));
 }
 
-void check_range(const Key& key, double value, const std::string& as_written) {
+void check_range(const Key& key, double value, const std::string& as_written, const std::string& hint = "") {
   const auto& [least, most] = key.range;
   const bool low = least && (least->edge == Edge::excluded ? value <= least->value : value < least->value);
   const bool high = most && (most->edge == Edge::excluded ? value >= most->value : value > most->value);
   if (low || high)
-    throw InputError(fmt::format("{} is out of range; allowed: {}", as_written, allowed_text(key)));
+    throw InputError(fmt::format("{} is out of range; allowed: {}{}", as_written, allowed_text(key), hint));
+}
+
+// What a number without a unit means, for those who forgot the unit.
+std::string bare_number_text(const Key& key, const Node& node) {
+  const QuantityInfo& wanted = info(key.quantity);
+  if (node.as<std::string>() || wanted.unit.empty()) return "";
+  return fmt::format("; a number without a unit is in {}, with one: \"{}\"", wanted.unit, wanted.example);
 }
 
 double read_number(const Key& key, const Node& node) {
@@ -50,8 +57,10 @@ double read_number(const Key& key, const Node& node) {
   } else {
     throw wrong(key, node);
   }
-  if (!std::isfinite(value)) throw InputError(fmt::format("{} is not a finite number", shown(node)));
-  check_range(key, value, shown(node));
+  if (!std::isfinite(value)) {
+    throw InputError(fmt::format("{} is not a finite number; allowed is {}", shown(node), type_text(key)));
+  }
+  check_range(key, value, shown(node), bare_number_text(key, node));
   return value;
 }
 

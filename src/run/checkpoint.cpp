@@ -84,7 +84,7 @@ Found read_one(const fs::path& path) {
   const io::Unsealed unsealed = io::unseal(bytes, checkpoint_kind);
   switch (unsealed.state) {
     case io::SealState::foreign:
-      return {{}, fmt::format("{}: is no checkpoint of frit", path.string())};
+      return {{}, fmt::format("{}: is no checkpoint of frit; frit run --force starts anew", path.string())};
     case io::SealState::damaged:
       return {
           {},

@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "core/constants.hpp"
@@ -52,7 +54,17 @@ generate::Packing generated(const config::Case& whole) {
   throw InputError("packing.generate: not available yet; allowed: random-dense and the cubic lattices");
 }
 
+// A path that a key names.
+void check_file(const std::string& key, const std::filesystem::path& path) {
+  std::error_code error;
+  const bool is_folder = std::filesystem::is_directory(path, error);
+  if (!is_folder && std::filesystem::exists(path, error)) return;
+  throw InputError(fmt::format("{}: {} {}; allowed: a file, its path relative to the case file's folder", key,
+                               path.string(), is_folder ? "is a folder" : "is not there"));
+}
+
 generate::Packing read(const config::Case& whole) {
+  check_file("packing.file", *whole.packing.file);
   const io::Frame frame = io::read_frame(*whole.packing.file);
   if (frame.size() == 0) {
     throw InputError(fmt::format("{}: no particles; at least one is needed", whole.packing.file->string()));
@@ -107,6 +119,7 @@ generate::Packing make_packing(const config::Case& whole) {
 
 std::optional<contact::GivenNecks> read_given_necks(const config::Case& whole, std::size_t particle_count) {
   if (!whole.packing.contacts) return std::nullopt;
+  check_file("packing.contacts", *whole.packing.contacts);
   const io::ContactTable table = io::read_contacts_csv(*whole.packing.contacts, particle_count);
   contact::GivenNecks given;
   given.neck_radius = table.neck_radius;
