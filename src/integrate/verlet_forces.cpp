@@ -14,7 +14,7 @@ struct Action {
   Lane force, torque, bending, separation;
   double arm_i, arm_j;
   double normal, approach_velocity, pull, whole_pull;
-  Lane sliding_velocity;
+  Lane sliding_velocity, power;
 };
 
 // Two particles as a neck sees them.
@@ -51,10 +51,13 @@ inline Action act(const contact::SmoothLaw& law, const VerletPair& pair, const E
   done.force = -done.normal * n - slide;
   done.torque = cross(slide, n);
   done.separation = ends.separation;
+  done.power =
+      Lane{done.pull * approach, (done.normal + done.pull) * approach, dot(slide, contact_velocity)[0], 0.0};
   if constexpr (has_bending) {
     const Lane turn = ends.i.w - ends.j.w, along = dot(turn, n) * n;
     done.bending = (law.rolling * q * q * viscous) * (turn - along) +
                    (law.twisting * q * viscous * equivalent * equivalent) * along;
+    done.power[3] = dot(done.bending, turn)[0];
   }
   return done;
 }
@@ -71,7 +74,7 @@ VerletForces::VerletForces(const contact::SinteringLaw& law, VerletList& list, s
       inertia_(std::move(inertia)),
       turn_(bodies_.size(), Lane{}),
       shifts_(list.images().size(), Lane{}),
-      virial_(list.blocks(), Lane{}),
+      of_block_(list.blocks(), PairSums{}),
       sums_(list.blocks() * (block_size + 1)) {}
 
 void VerletForces::set_shifts(Lane size) {
@@ -82,10 +85,10 @@ void VerletForces::set_shifts(Lane size) {
 }
 
 template <bool has_bending>
-Lane VerletForces::sweep_block(std::size_t block, const VerletMoment& moment) {
+PairSums VerletForces::sweep_block(std::size_t block, const VerletMoment& moment) {
   Sums* const sums = sums_.data() + block * (block_size + 1);
   std::fill_n(sums, block_size + 1, Sums{});
-  Lane virial{};
+  PairSums all{};
   for (VerletPair& pair : list_.pairs(block)) {
     const VerletBody &i = bodies_[pair.i], &j = bodies_[pair.j];
     const Lane d = j.x + shifts_[pair.image] - i.x;
@@ -105,9 +108,11 @@ Lane VerletForces::sweep_block(std::size_t block, const VerletMoment& moment) {
       of_i.torque -= action.bending;
       of_j.torque += action.bending;
     }
-    virial += static_cast<double>(pair.is_owner) * (action.force * d);
+    const double share = static_cast<double>(pair.is_owner);
+    all.virial += share * (action.force * d);
+    all.power += share * action.power;
   }
-  return virial;
+  return all;
 }
 
 void VerletForces::move_block(std::size_t block, const VerletMoment& moment) {
@@ -125,17 +130,20 @@ void VerletForces::move_block(std::size_t block, const VerletMoment& moment) {
   }
 }
 
-Lane VerletForces::step(const VerletMoment& moment) {
+PairSums VerletForces::step(const VerletMoment& moment) {
   set_shifts(moment.size);
   parallel_blocks(bodies_.size(), [&](std::size_t begin, std::size_t) {
     const std::size_t block = begin / block_size;
-    virial_[block] = has_bending_ ? sweep_block<true>(block, moment) : sweep_block<false>(block, moment);
+    of_block_[block] = has_bending_ ? sweep_block<true>(block, moment) : sweep_block<false>(block, moment);
     move_block(block, moment);
   });
   std::swap(bodies_, next_);
-  Lane virial{};
-  for (const Lane& part : virial_) virial += part;
-  return virial;
+  PairSums all{};
+  for (const PairSums& part : of_block_) {
+    all.virial += part.virial;
+    all.power += part.power;
+  }
+  return all;
 }
 
 PairForces VerletForces::forces_of(const VerletPair& pair, const VerletMoment& moment) const {

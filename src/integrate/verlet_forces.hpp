@@ -23,6 +23,12 @@ struct VerletMoment {
   Lanes<double> size;  // [m], of the cell
 };
 
+// Of all pairs, at the velocities that the forces of a step were taken at.
+struct PairSums {
+  Lanes<double> virial;  // [J] for each axis, sum of (force on i) * (vector from i to j)
+  Lanes<double> power;   // [W]: surface energy released; dissipated by approach, by sliding, by bending
+};
+
 // Forces of a pair on its particle i, and what they come from.
 struct PairForces {
   double normal;                   // [N], > 0 repels
@@ -37,9 +43,8 @@ class VerletForces {
                std::vector<VerletInertia> inertia);
 
   // Velocities by the forces of now, then positions by the new velocities: the kick and drift of velocity
-  // Verlet, with the viscous forces taken at the velocities of half a step before, as is usual. Returns the
-  // virial, sum over pairs of (force on i) * (vector from i to j) for each axis [J].
-  Lanes<double> step(const VerletMoment& moment);
+  // Verlet, with the viscous forces taken at the velocities of half a step before, as is usual.
+  PairSums step(const VerletMoment& moment);
 
   // What acts in a neck of the state's contacts, at the velocities of now.
   PairForces forces_of(const VerletPair& pair, const VerletMoment& moment) const;
@@ -57,7 +62,7 @@ class VerletForces {
     Lanes<double> force, torque;
   };
   template <bool has_bending>
-  Lanes<double> sweep_block(std::size_t block, const VerletMoment& moment);
+  PairSums sweep_block(std::size_t block, const VerletMoment& moment);
   void move_block(std::size_t block, const VerletMoment& moment);
 
   contact::SmoothLaw law_;
@@ -65,7 +70,8 @@ class VerletForces {
   VerletList& list_;
   std::vector<VerletBody> bodies_, next_;
   std::vector<VerletInertia> inertia_;
-  std::vector<Lanes<double>> turn_, shifts_, virial_;
+  std::vector<Lanes<double>> turn_, shifts_;
+  std::vector<PairSums> of_block_;
   std::vector<Sums> sums_;  // block_size + 1 a block
 };
 

@@ -21,6 +21,7 @@ constexpr double looked_at_growth = 0.02;
 constexpr std::int64_t most_steps_between_limits = 4096, most_steps_between_looks = 64;
 // An attempt is no longer than these, about half a second, so that a run can be stopped.
 constexpr std::int64_t most_particle_steps = 4'000'000, most_steps = 200'000, least_steps = 256;
+constexpr std::int64_t particle_steps_between_asking = 100'000;  // whether to go on
 // Velocities that would carry a particle so far [mean radii] in one step are no motion of a powder.
 constexpr double runaway = 0.1;
 
@@ -35,7 +36,7 @@ class Run {
  public:
   Run(const VerletSettings& settings, const Furnace& furnace, const State& from);
 
-  StepReport until(const Stretch& stretch);
+  StepReport until(const Stretch& stretch, const solve::Abandon& abandon);
   contact::ContactChanges write_to(State& to);
 
  private:
@@ -44,6 +45,9 @@ class Run {
   double next_duration(double left);
   void renew_limit();
   void step(double dt);
+  void count_work(const PairSums& pairs, const Lane& of_cell);
+  double kinetic_energy() const;
+  double power_of_loads() const;
   bool look();
   void follow_paths();
   void limit_travel(double speed);
@@ -67,6 +71,9 @@ class Run {
   std::int64_t limit_due_ = 0, limit_interval_ = 1;
   std::int64_t look_due_ = 1, look_interval_ = 1;
   double travel_limit_ = 0.0;  // [s]
+  Work work_;
+  std::vector<std::size_t> loaded_;  // particles with an external force
+  double load_power_ = 0.0;          // [W], now
 };
 
 // Rotation by a rotation vector [rad], small or not.
@@ -122,6 +129,10 @@ Run::Run(const VerletSettings& settings, const Furnace& furnace, const State& fr
   moment_.size = from.cell.periodic ? lanes<double>(from.cell.size) : Lane{};
   if (from.cell.periodic) moment_.rate = lanes<double>(from.cell_rate);
   limit_travel(fastest().speed);
+  for (std::size_t n = 0; n < from.particles.size(); ++n) {
+    if (!from.particles.force[n].isZero(0.0)) loaded_.push_back(n);
+  }
+  load_power_ = power_of_loads();
   if (!is_driven_) return;
   double mass = 0.0;
   for (const double own : from.particles.mass) mass += settings.density_factor * own;
@@ -168,14 +179,55 @@ void Run::step(double dt) {
     for (int axis = 0; axis < 3; ++axis)
       moment_.rate[axis] = std::expm1((*settings_.strain_rate)[axis] * dt) / dt;
   }
-  const Lane virial = forces_.step(moment_);
+  const PairSums pairs = forces_.step(moment_);
+  const Lane rate_before = moment_.rate,
+             pull = moment_.size[0] * moment_.size[1] * moment_.size[2] * lanes<double>(settings_.stress);
   if (from_.cell.periodic) {
-    const double volume = moment_.size[0] * moment_.size[1] * moment_.size[2];
     moment_.size += dt * (moment_.rate * moment_.size);
-    const Lane drive = volume * lanes<double>(settings_.stress) - virial;
-    moment_.rate += dt * (axis_inverse_mass_ * drive);
+    moment_.rate += dt * (axis_inverse_mass_ * (pull - pairs.virial));
   }
+  count_work(pairs, is_driven_ ? 0.5 * (rate_before + moment_.rate) * pull : rate_before * pairs.virial);
   ++steps_;
+}
+
+// Work of a step; `of_cell` is the power [W] of what drives the cell, by axes.
+void Run::count_work(const PairSums& pairs, const Lane& of_cell) {
+  const double dt = moment_.dt, power_before = load_power_;
+  work_.released += dt * pairs.power[0];
+  work_.approach += dt * pairs.power[1];
+  work_.sliding += dt * pairs.power[2];
+  work_.bending += dt * pairs.power[3];
+  work_.cell += dt * (of_cell[0] + of_cell[1] + of_cell[2]);
+  if (loaded_.empty()) return;
+  load_power_ = power_of_loads();
+  work_.load += 0.5 * dt * (power_before + load_power_);
+}
+
+double Run::power_of_loads() const {
+  double power = 0.0;
+  for (const std::size_t n : loaded_) {
+    power += to_vec3(forces_.bodies()[n].v).dot(from_.particles.force[n]);
+  }
+  return power;
+}
+
+// Of the multiplied masses, against the motion with the cell, and of the cell's own inertia [J].
+double Run::kinetic_energy() const {
+  const auto half = [](double inverse, const Lane& rate) {
+    return inverse > 0.0 ? 0.5 * dot(rate, rate)[0] / inverse : 0.0;
+  };
+  const std::span<const VerletBody> bodies = forces_.bodies();
+  double energy = ordered_sum(bodies.size(), 0.0, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t n = begin; n < end; ++n) {
+      sum += half(inertia_[n].inverse_mass, bodies[n].v) + half(inertia_[n].inverse_moment, bodies[n].w);
+    }
+    return sum;
+  });
+  for (int axis = 0; is_driven_ && axis < 3; ++axis) {
+    energy += 0.5 * moment_.rate[axis] * moment_.rate[axis] / axis_inverse_mass_[axis];
+  }
+  return energy;
 }
 
 Fastest Run::fastest() const {
@@ -249,13 +301,19 @@ bool Run::look() {
   return true;
 }
 
-StepReport Run::until(const Stretch& stretch) {
+StepReport Run::until(const Stretch& stretch, const solve::Abandon& abandon) {
   StepReport report;
   Stopwatch watch;
   const auto count = std::max<std::int64_t>(1, static_cast<std::int64_t>(from_.particles.size()));
+  const std::int64_t asked_every = std::max<std::int64_t>(1, particle_steps_between_asking / count);
+  const double energy_before = kinetic_energy();
   const std::int64_t most =
       std::min(stretch.steps, std::clamp(most_particle_steps / count, least_steps, most_steps));
   while (steps_ < most) {
+    if (steps_ % asked_every == 0 && solve::is_abandoned(abandon)) {
+      report.verdict = Verdict::abandoned;
+      return report;
+    }
     const double left = duration_left(stretch.duration), dt = next_duration(left);
     step(dt);
     elapsed_ = dt == left ? stretch.duration : elapsed_ + dt;
@@ -268,6 +326,9 @@ StepReport Run::until(const Stretch& stretch) {
   report.verdict = runs_away ? Verdict::unstable : Verdict::accepted;
   report.duration = elapsed_;
   report.steps = steps_;
+  report.work = work_;
+  report.work.inertia = kinetic_energy() - energy_before;
+  report.work.imbalance = std::abs(report.work.in() - report.work.out());
   report.times.sweep = watch.lap();
   return report;
 }
@@ -319,7 +380,7 @@ StepReport VerletStep::attempt(const State& from, const Stretch& stretch, State&
   Stopwatch watch;
   Run run(settings_, furnace_, from);
   const double search = watch.lap();
-  StepReport report = run.until(stretch);
+  StepReport report = run.until(stretch, abandon_);
   watch.lap();
   if (report.verdict != Verdict::accepted) return report;
   State next;
