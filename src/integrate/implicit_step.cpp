@@ -197,7 +197,8 @@ bool ImplicitStep::solve_pass(const solve::Options& options, solve::Solution sta
   report.newton_iterations += solved.newton_iterations;
   report.linear_iterations += solved.linear_iterations;
   report.residual = solved.residual;
-  if (!solved.converged) failed_ = FailedSolve{passes.problem, std::move(start)};
+  if (solved.abandoned) report.verdict = Verdict::abandoned;
+  if (!solved.converged && !solved.abandoned) failed_ = FailedSolve{passes.problem, std::move(start)};
   return solved.converged;
 }
 
@@ -205,6 +206,7 @@ solve::Options ImplicitStep::options(const solve::Problem& problem, std::size_t 
                                      double tolerance) const {
   solve::Options options;
   options.tolerance = std::clamp(harmless_residual(problem, necks), least_tolerance, tolerance);
+  options.abandon = abandon_;
   options.mechanisms_at_rest = settings_.inertia != network::Inertia::dynamic;
   if (settings_.solver == Solver::gauss_seidel) options.largest_linear_iterations = most_sweeps;
   return options;

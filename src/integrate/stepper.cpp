@@ -16,6 +16,8 @@ std::string_view to_text(Verdict verdict) {
       return "particles moved too far in one step";
     case Verdict::unstable:
       return "velocities grow without bound";
+    case Verdict::abandoned:
+      return "it was given up on request";
   }
   return "";
 }

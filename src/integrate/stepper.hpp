@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "contact/detection.hpp"
 #include "integrate/step_work.hpp"
@@ -12,7 +13,7 @@
 
 namespace frit::integrate {
 
-enum class Verdict { accepted, not_solved, inconsistent, inaccurate, moved_too_far, unstable };
+enum class Verdict { accepted, not_solved, inconsistent, inaccurate, moved_too_far, unstable, abandoned };
 std::string_view to_text(Verdict verdict);
 
 // Wall time [s] of the parts of a step; no result depends on it.
@@ -45,7 +46,7 @@ struct StepReport {
   solve::LinearCounts linear_solves;
   StepTimes times;
   contact::ContactChanges changes;
-  Work work;  // of an accepted implicit step
+  Work work;  // of an accepted step
 
   double time_step() const { return duration / static_cast<double>(steps); }  // [s]
 };
@@ -80,6 +81,12 @@ class Stepper {
 
   // The last solve that failed, if one did.
   virtual const FailedSolve* failed() const { return nullptr; }
+
+  // Attempts ask this now and then, and end with the verdict `abandoned` where it says so.
+  void abandon_when(solve::Abandon asked) { abandon_ = std::move(asked); }
+
+ protected:
+  solve::Abandon abandon_;
 };
 
 }  // namespace frit::integrate

@@ -7,7 +7,9 @@
 namespace frit::run {
 
 struct Requests {
-  std::function<int()> interrupt = {};         // the signal that asks the run to end after this step; 0: none
+  // The signal that asks the run to end; 0: none. Asked between steps and, often, within them: a step under
+  // way is given up, and the run ends with the state before it.
+  std::function<int()> interrupt = {};
   std::function<bool()> asks_checkpoint = {};  // whether a checkpoint has been asked for since the last call
   std::function<double()> wall_seconds = {};   // the clock; unset: since the simulation was made [s]
   double wall_limit = std::numeric_limits<double>::infinity();  // [s] by that clock, ends the run before it

@@ -20,6 +20,8 @@ constexpr double frozen_tau = 1e-30, patient_tau = 10.0;
 constexpr double least_change = 1e-8;
 // A step may be this much longer than proposed, relative, to end at a time that must be hit.
 constexpr double stretch = 1e-9;
+// Spheres that fill more than their cell are no packing of anything.
+constexpr double full_density = 1.0;
 // Relative difference of two times that are one.
 constexpr double round_off = 1e-15;
 
@@ -43,7 +45,9 @@ Simulation::Simulation(const Setup& setup, StageClock& clock, Requests requests)
       schedule_(setup.whole.output, setup.whole.stop, setup.heating.ramp_ends, setup.density),
       state_(setup.state),
       density_(setup.density),
-      last_change_{setup.density, setup.state.theta} {}
+      last_change_{setup.density, setup.state.theta} {
+  stepper_->abandon_when([this] { return gives_up_step(); });
+}
 
 void Simulation::go_on_from(State state, const Progress& progress) {
   state_ = std::move(state);
@@ -76,6 +80,14 @@ std::optional<Ending> reached_stop(const config::Stop& stop, double time, double
 
 std::optional<Ending> Simulation::reached_end() const {
   if (const auto ending = reached_stop(setup_.whole.stop, state_.time, density_)) return ending;
+  if (density_ >= full_density * (1.0 - density_tolerance)) {
+    return Ending{
+        not_computed,
+        fmt::format("the relative density has reached {:.6g} at {:.6g} s: the spheres would fill more "
+                    "than there is room (their overlaps count twice, and pores had closed long before); "
+                    "allowed: stop.relative_density of at most 1, an earlier stop.time, or less pressure",
+                    density_, state_.time)};
+  }
   if (const int signal = watch_.signal(); signal != 0)
     return Ending{stopped_by_signal + signal, fmt::format("stopped by signal {}", signal)};
   if (watch_.runs_out()) return Ending{out_of_time, "--max-wall would pass in the next step"};
@@ -125,10 +137,21 @@ Landing Simulation::waited(double duration) const {
   return landing;
 }
 
+// Asked within a step. What is asked of the run meanwhile is done with the state before the step.
+bool Simulation::gives_up_step() {
+  if (watch_.takes_checkpoint_at_once()) {
+    clock_.enter(Stage::output);
+    for (RunListener* listener : listeners_) listener->checkpoint_due({state_, before_step_});
+    clock_.enter(Stage::step);
+  }
+  return watch_.signal() != 0 || watch_.is_out();
+}
+
 bool Simulation::attempt(double duration, Landing& landing) {
   const integrate::Stretch stretch(duration, schedule_.steps_left(totals_.steps));
   landing.report = stepper_->attempt(state_, stretch, landing.state);
   totals_.count_attempt(landing.report);
+  if (landing.report.verdict == integrate::Verdict::abandoned) is_step_given_up_ = true;
   if (landing.report.verdict != integrate::Verdict::accepted) return false;
   landing.density = observe::relative_density(setup_.reference, landing.state);
   return true;
@@ -136,17 +159,18 @@ bool Simulation::attempt(double duration, Landing& landing) {
 
 // A step of the duration, or a shorter one that ends at the stop's density. False: it must be repeated.
 bool Simulation::take_step(double duration, Landing& landing) {
+  before_step_ = progress();
   const bool accepted = attempt(duration, landing);
   last_report_ = landing.report;
   control_.learn(last_report_);
   if (!accepted) return false;
-  const auto target = setup_.whole.stop.relative_density;
-  if (!target || landing.density <= *target * (1.0 + density_tolerance)) return true;
+  const double target = setup_.whole.stop.relative_density.value_or(full_density);
+  if (!(landing.density > target * (1.0 + density_tolerance))) return true;
   const auto try_again = [&](double shorter, Landing& tried) {
     ++totals_.fitting_attempts;
     return attempt(shorter, tried);
   };
-  if (fit_density(try_again, {density_, *target}, landing)) return true;
+  if (fit_density(try_again, {density_, target}, landing)) return true;
   last_report_.verdict = integrate::Verdict::moved_too_far;
   control_.learn(last_report_);
   return false;
@@ -164,6 +188,12 @@ void Simulation::accept(Landing&& landing) {
   }
 }
 
+// As if the step had not been tried: it is tried again, to the same bits, when the run goes on.
+void Simulation::forget_step() {
+  control_.go_on_from(before_step_.proposed_duration);
+  totals_ = before_step_.totals;
+}
+
 std::optional<Ending> Simulation::advance() {
   for (;;) {
     const double duration = duration_to_try();
@@ -172,7 +202,13 @@ std::optional<Ending> Simulation::advance() {
       return std::nullopt;
     }
     Landing landing;
-    if (take_step(duration, landing)) {
+    const bool is_made = take_step(duration, landing);
+    if (std::exchange(is_step_given_up_, false)) {
+      forget_step();
+      if (const auto ended = reached_end()) return ended;
+      continue;
+    }
+    if (is_made) {
       accept(std::move(landing));
       return std::nullopt;
     }
@@ -243,6 +279,7 @@ std::optional<Ending> Simulation::start(std::span<RunListener* const> listeners)
   } else {
     write_row(listeners);
   }
+  watch_.lap(totals_.steps);  // an end takes no longer
   const std::optional<Ending> ending = reached_end();
   if (ending) stop(*ending, listeners);
   return ending;
@@ -250,7 +287,9 @@ std::optional<Ending> Simulation::start(std::span<RunListener* const> listeners)
 
 std::optional<Ending> Simulation::step(std::span<RunListener* const> listeners) {
   clock_.enter(Stage::step);
+  listeners_ = listeners;
   std::optional<Ending> ending = advance();
+  listeners_ = {};
   clock_.enter(Stage::output);
   if (!ending) {
     const StepView view{state_, last_report_, totals_, density_};

@@ -23,6 +23,9 @@ class Simulation {
   // The setup must outlive the simulation.
   Simulation(const Setup& setup, StageClock& clock, Requests requests = {});
 
+  Simulation(const Simulation&) = delete;  // its stepper asks it
+  Simulation& operator=(const Simulation&) = delete;
+
   // Before run: from a checkpoint of the same setup (its stops may differ) instead of from the start.
   void go_on_from(State state, const Progress& progress);
 
@@ -49,6 +52,8 @@ class Simulation {
   bool attempt(double duration, Landing& landing);
   bool take_step(double duration, Landing& landing);
   void accept(Landing&& landing);
+  bool gives_up_step();
+  void forget_step();
   Ending give_up() const;
   observe::Row observed_row() const;
   Progress progress() const;
@@ -71,6 +76,9 @@ class Simulation {
   LastChange last_change_;
   Totals totals_;
   integrate::StepReport last_report_;
+  Progress before_step_;  // what a checkpoint taken within the step holds
+  bool is_step_given_up_ = false;
+  std::span<RunListener* const> listeners_;  // while a step is under way
   observe::Row row_;
   bool is_resumed_ = false;
   std::int64_t row_step_ = -1;  // steps made when the last row was written

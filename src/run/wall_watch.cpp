@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace frit::run {
@@ -30,8 +31,16 @@ void WallWatch::lap(std::int64_t steps) {
   steps_ = steps;
 }
 
+bool WallWatch::is_asked() { return requests_.asks_checkpoint && requests_.asks_checkpoint(); }
+
+bool WallWatch::takes_checkpoint_at_once() {
+  if (!is_asked()) return false;
+  last_checkpoint_ = requests_.wall_seconds();
+  return true;
+}
+
 bool WallWatch::takes_checkpoint() {
-  const bool asked = requests_.asks_checkpoint && requests_.asks_checkpoint();
+  const bool asked = is_asked();
   const bool due = every_steps_ > 0 ? steps_ / every_steps_ > checkpoint_steps_ / every_steps_
                                     : last_lap_ - last_checkpoint_ >= checkpoint_interval;
   if (!asked && !due) return false;
@@ -42,6 +51,11 @@ bool WallWatch::takes_checkpoint() {
 
 bool WallWatch::runs_out() const {
   return requests_.wall_seconds() + laps_in_reserve * longest_lap_ >= requests_.wall_limit;
+}
+
+bool WallWatch::is_out() const {
+  return std::isfinite(requests_.wall_limit) &&
+         requests_.wall_seconds() + longest_lap_ >= requests_.wall_limit;
 }
 
 }  // namespace frit::run

@@ -20,13 +20,21 @@ class WallWatch {
   // Whether a checkpoint is due or has been asked for; it counts as taken.
   bool takes_checkpoint();
 
+  // Within a step: whether a checkpoint has been asked for; it counts as taken.
+  bool takes_checkpoint_at_once();
+
   // The signal that asks for the end, or 0.
   int signal() const { return requests_.interrupt ? requests_.interrupt() : 0; }
 
   // Whether another step, with the end of the run after it, could pass the limit.
   bool runs_out() const;
 
+  // Within a step: whether what is left of the limit is needed for the end of the run.
+  bool is_out() const;
+
  private:
+  bool is_asked();
+
   Requests requests_;
   std::int64_t every_steps_, steps_ = 0, checkpoint_steps_ = 0;
   double last_lap_, longest_lap_ = 0.0, last_checkpoint_;  // [s]

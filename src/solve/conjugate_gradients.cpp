@@ -48,7 +48,7 @@ class Iteration {
         best = norms_[0];
         best_at = report.iterations;
       }
-      if (report.iterations - best_at > patience<Real>) break;
+      if (report.iterations - best_at > patience<Real> || is_abandoned(options.abandon)) break;
       const Real beta = slope > 0.0 ? static_cast<Real>(norms_[1] / slope) : Real(0);
       slope = norms_[1];
       parallel_for(bodies_ + 1, [&](std::size_t n) {

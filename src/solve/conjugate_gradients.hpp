@@ -19,6 +19,7 @@ struct LinearReport {
 struct LinearOptions {
   double relative_tolerance = 1e-3;
   long largest_iterations = 20000;
+  Abandon abandon = {};  // ends the iterations
 };
 
 // The sum of both parts; one of them may be missing.

@@ -28,7 +28,7 @@ class Sweeps {
   Report run() {
     Gradient gradient(problem_);
     for (long sweep = 0; sweep <= options_.largest_linear_iterations; ++sweep) {
-      if (sweep % sweeps_per_check == 0 && is_solved(gradient)) break;
+      if (sweep % sweeps_per_check == 0 && (is_given_up() || is_solved(gradient))) break;
       for (std::size_t body = 0; body < problem_.bodies(); ++body) solve_body(body);
       if (problem_.has_axes) solve_axes();
       update_multipliers();
@@ -40,6 +40,8 @@ class Sweeps {
 
  private:
   static constexpr long sweeps_per_check = 10;
+
+  bool is_given_up() { return report_.abandoned = is_abandoned(options_.abandon); }
 
   bool is_solved(Gradient& gradient) {
     gradient.evaluate(solution_, unit_penalty_, Multipliers::given);

@@ -131,6 +131,8 @@ class NewtonSolve {
   }
 
   bool finished() {
+    report_.abandoned = report_.abandoned || is_abandoned(options_.abandon);
+    if (report_.abandoned) return true;
     if (!std::isfinite(report_.residual)) return true;
     report_.converged = residual_.worst() <= options_.tolerance && has_small_correction() &&
                         (most_whole_solves_ == 1 || is_settled());
@@ -166,8 +168,8 @@ class NewtonSolve {
     const bool is_whole = unsettled_ > negligible_share && report_.newton_iterations <= most_whole_solves_;
     if (is_whole) tolerance = ask_for_the_whole(place, tolerance);
     Stopwatch watch;
-    const LinearReport linear =
-        linear_.solve(place, right_side_, {tolerance, options_.largest_linear_iterations}, direction_);
+    const LinearReport linear = linear_.solve(
+        place, right_side_, {tolerance, options_.largest_linear_iterations, options_.abandon}, direction_);
     if (is_whole) parallel_for(direction_.size(), [&](std::size_t n) { direction_[n] -= start_[n]; });
     const double change = ordered_dot(direction_, direction_),
                  motion = ordered_dot(solution_.motion, solution_.motion);
@@ -347,7 +349,8 @@ Report solve_newton(const Problem& problem, const Options& options, Solution& so
   if (rests && is_central(problem)) before = solve_with_falling_inertia(problem, options, solution);
   Report report = NewtonSolve(problem, options, solution).run();
   add_cost(before, report);
-  if (report.converged || !options.soft_limits || largest_factor(problem, options) > 1.0) return report;
+  if (report.converged || report.abandoned || !options.soft_limits || largest_factor(problem, options) > 1.0)
+    return report;
   // Where nothing but soft multipliers resists (a long chain in a huge step) iterations may go to and fro.
   Options stiff = options;
   stiff.soft_limits = false;

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -108,6 +109,7 @@ struct LinearCounts {
 // How a solve went: a value, never an exception.
 struct Report {
   bool converged = false;
+  bool abandoned = false;  // by Options::abandon; the solution means nothing
   int newton_iterations = 0;
   long linear_iterations = 0;
   LinearCounts linear_solves;
@@ -117,6 +119,12 @@ struct Report {
   double residual = 0.0;        // of the last iterate, in force units of the problem
   std::vector<double> history;  // residual before every iteration
 };
+
+// Asked now and then by what takes long; true: nobody waits for the result any more. Never asked by two
+// threads at the same time.
+using Abandon = std::function<bool()>;
+
+inline bool is_abandoned(const Abandon& asked) { return asked && asked(); }
 
 struct Options {
   double tolerance = 1e-6;  // on the residual (gradient.hpp)
@@ -129,6 +137,7 @@ struct Options {
   bool settles_mechanisms = false, mechanisms_at_rest = false;
   double penalty_factor = 30.0;  // stiffness of a rigid stop over that of its surroundings
   bool soft_limits = true;       // limited multipliers are first taken as stiff as their surroundings
+  Abandon abandon = {};
 };
 
 }  // namespace frit::solve

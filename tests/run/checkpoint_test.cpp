@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <limits>
 
 #include "run/result_folder.hpp"
 #include "run/samples.hpp"
@@ -12,6 +13,7 @@ namespace frit::run {
 namespace {
 
 using io::bytes_of;
+using samples::Interrupter;
 using samples::periodic_case;
 
 const std::vector<std::string> result_names{"series.csv", "snapshots.pvd", "case.toml", "checkpoint.cbor"};
@@ -27,22 +29,30 @@ std::vector<std::pair<std::string, std::string>> results_in(const std::filesyste
   return found;
 }
 
-// Ends the run after so many steps, as a signal would.
-Requests after_steps(int steps) {
-  return {.interrupt = [asked = 0, steps]() mutable { return ++asked > steps ? SIGTERM : 0; }};
-}
+// As long as it takes, or so many steps.
+struct After {
+  int steps = std::numeric_limits<int>::max();
+};
 
-Ending run_into(const std::filesystem::path& folder, const config::Case& whole, Requests requests = {}) {
+Ending run_into(const std::filesystem::path& folder, const config::Case& whole, After after = {}) {
   ResultFolder files(folder);
-  return run_case(whole, {&files}, std::move(requests));
+  Interrupter interrupter(after.steps);
+  return run_case(whole, {&files, &interrupter}, interrupter.requests());
 }
 
-Ending resume_in(const std::filesystem::path& folder, Requests requests = {},
-                 const std::vector<std::string>& overrides = {}) {
+Ending resume_in(const std::filesystem::path& folder, Requests requests,
+                 const std::vector<std::string>& overrides = {}, std::vector<RunListener*> others = {}) {
   FolderLock lock(folder);
   Interrupted run = load_interrupted(folder, overrides);
   ResultFolder files(folder, std::move(lock), run.checkpoint.series);
-  return resume_case(run, {&files}, std::move(requests));
+  others.insert(others.begin(), &files);
+  return resume_case(run, others, std::move(requests));
+}
+
+Ending resume_in(const std::filesystem::path& folder, After after = {},
+                 const std::vector<std::string>& overrides = {}) {
+  Interrupter interrupter(after.steps);
+  return resume_in(folder, interrupter.requests(), overrides, {&interrupter});
 }
 
 struct Sample {
@@ -58,11 +68,11 @@ TEST_P(Interruptions, LeaveNoTrace) {
   const io::TemporaryFolder folder;
   const auto whole = periodic_case(folder, "random-dense", 60, GetParam().overrides);
   ASSERT_EQ(run_into(folder / "straight", whole).code, 0);
-  Ending ending = run_into(folder / "torn", whole, after_steps(GetParam().every));
+  Ending ending = run_into(folder / "torn", whole, After{GetParam().every});
   int interruptions = 0;
   for (; ending.code != 0 && interruptions < 500; ++interruptions) {
     ASSERT_EQ(ending.code, 128 + SIGTERM) << ending.reason;
-    ending = resume_in(folder / "torn", after_steps(GetParam().every));
+    ending = resume_in(folder / "torn", After{GetParam().every});
   }
   EXPECT_GT(interruptions, 3);
   const auto straight = results_in(folder / "straight"), torn = results_in(folder / "torn");
@@ -71,6 +81,31 @@ TEST_P(Interruptions, LeaveNoTrace) {
     EXPECT_EQ(straight[n].first, torn[n].first);
     EXPECT_TRUE(straight[n].second == torn[n].second) << straight[n].first << " differs";
   }
+}
+
+// The same within steps: asked to end at the n-th question, in the middle of a solve or a fit to a density. A
+// step asks more often than the least n; the run gets on because n grows.
+TEST_P(Interruptions, WithinAStepLeaveNoTrace) {
+  const io::TemporaryFolder folder;
+  const auto whole = periodic_case(folder, "random-dense", 60, GetParam().overrides);
+  ASSERT_EQ(run_into(folder / "straight", whole).code, 0);
+  const auto at_question = [](int number) {
+    return Requests{.interrupt = [asked = 0, number]() mutable { return ++asked > number ? SIGTERM : 0; }};
+  };
+  ResultFolder files(folder / "torn");
+  Ending ending = run_case(whole, {&files}, at_question(40));
+  int interruptions = 0, within = 0;
+  for (int number = 40; ending.code != 0 && interruptions < 200; ++interruptions) {
+    ASSERT_EQ(ending.code, 128 + SIGTERM) << ending.reason;
+    const std::string before = bytes_of(folder / "torn" / checkpoint_name);
+    ending = resume_in(folder / "torn", at_question(number));
+    const bool has_moved = bytes_of(folder / "torn" / checkpoint_name) != before;
+    within += has_moved ? 0 : 1;
+    number = has_moved ? 40 + number / 3 : 2 * number + 7;
+  }
+  EXPECT_GT(interruptions, 3);
+  EXPECT_GT(within, 0) << "no step was given up";
+  EXPECT_TRUE(results_in(folder / "straight") == results_in(folder / "torn"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -97,6 +132,30 @@ INSTANTIATE_TEST_SUITE_P(
                5}),
     [](const auto& sample) { return sample.param.name; });
 
+// A listener whose failure ends a run as a kill does, without a last checkpoint.
+class Killer : public RunListener {
+ public:
+  void step_made(const StepView& view) override {
+    if (view.totals.steps == 6) throw std::runtime_error("killed");
+  }
+};
+
+TEST(Checkpoint, AskedForWithinAStepIsOfTheStateBeforeIt) {
+  const io::TemporaryFolder folder;
+  const auto whole = periodic_case(folder, "random-dense", 60, {"stop.relative_density=0.7"});
+  run_into(folder / "straight", whole);
+  {
+    ResultFolder files(folder / "torn");
+    Killer killer;
+    const auto every_fifth = [asked = 0]() mutable { return ++asked % 5 == 0; };
+    EXPECT_THROW(run_case(whole, {&files, &killer}, {.asks_checkpoint = every_fifth}), std::runtime_error);
+  }
+  std::vector<std::string> notes;
+  EXPECT_EQ(load_checkpoint(folder / "torn", notes).progress.totals.steps, 5);
+  EXPECT_EQ(resume_in(folder / "torn").code, 0);
+  EXPECT_TRUE(results_in(folder / "straight") == results_in(folder / "torn"));
+}
+
 TEST(Checkpoint, IsTakenEverySoManyStepsAndChangesNothing) {
   const io::TemporaryFolder folder;
   const auto run_with = [&](const std::string& name, const std::string& every) {
@@ -116,7 +175,7 @@ TEST(Checkpoint, OfAFinishedRunTakesAnotherStop) {
   const std::string short_series = bytes_of(out / "series.csv");
   EXPECT_TRUE(how_it_ended(load_interrupted(out, {})));
   EXPECT_FALSE(how_it_ended(load_interrupted(out, {"stop.time=20"})));
-  EXPECT_EQ(resume_in(out, {}, {"stop.time=20"}).code, 0);
+  EXPECT_EQ(resume_in(out, After{}, {"stop.time=20"}).code, 0);
   EXPECT_TRUE(bytes_of(out / "series.csv").starts_with(short_series));
   EXPECT_EQ(io::read_series(out / "series.csv").values.at(0), (std::vector<double>{0, 5, 10, 15, 20}));
   EXPECT_NE(bytes_of(out / "case.toml").find("time = 20"), std::string::npos);
@@ -129,7 +188,7 @@ std::string fault_of(const std::filesystem::path& out, const std::vector<std::st
 TEST(Checkpoint, OnlyStopsMayChange) {
   const io::TemporaryFolder folder;
   const auto out = folder / "out";
-  run_into(out, samples::pair_case(folder), after_steps(3));
+  run_into(out, samples::pair_case(folder), After{3});
   EXPECT_NE(fault_of(out, {"contact.pull=unilateral"}).find("keeps its case; allowed: keys of [stop]"),
             std::string::npos);
   const std::string text = bytes_of(out / "case.toml");
@@ -152,7 +211,7 @@ TEST(Checkpoint, OnlyStopsMayChange) {
 TEST(Checkpoint, WhatCannotBeResumedSaysWhy) {
   const io::TemporaryFolder folder;
   EXPECT_NE(fault_of(folder / "x").find("holds no checkpoint"), std::string::npos);
-  run_into(folder / "out", samples::pair_case(folder), after_steps(3));
+  run_into(folder / "out", samples::pair_case(folder), After{3});
   const std::string good = bytes_of(folder / "out" / "checkpoint.cbor");
   folder.write("out/checkpoint.cbor", "something else that is longer than a header");
   EXPECT_NE(fault_of(folder / "out").find("is no checkpoint of frit"), std::string::npos);
@@ -177,7 +236,7 @@ TEST(Checkpoint, WhatCannotBeResumedSaysWhy) {
 
 TEST(Checkpoint, TwoRunsInOneFolderAreRefused) {
   const io::TemporaryFolder folder;
-  run_into(folder / "out", samples::pair_case(folder), after_steps(3));
+  run_into(folder / "out", samples::pair_case(folder), After{3});
   const FolderLock lock(folder / "out");
   EXPECT_NE(io::message_of<InputError>([&] { resume_in(folder / "out"); }).find("another frit is at work"),
             std::string::npos);
@@ -187,7 +246,7 @@ TEST(Checkpoint, TwoRunsInOneFolderAreRefused) {
 TEST(Checkpoint, EveryDamageIsSeen) {
   const io::TemporaryFolder folder;
   const auto out = folder / "out";
-  run_into(out, samples::pair_case(folder, {"output.checkpoint_every_steps=1"}), after_steps(5));
+  run_into(out, samples::pair_case(folder, {"output.checkpoint_every_steps=1"}), After{5});
   const std::string good = bytes_of(out / checkpoint_name);
   for (std::size_t n = 0; n < good.size(); ++n) {
     std::string damaged = good;
@@ -201,7 +260,7 @@ TEST(Checkpoint, TheOneBeforeStandsInForADamagedOne) {
   const io::TemporaryFolder folder;
   const auto whole = samples::pair_case(folder, {"output.checkpoint_every_steps=2", "output.every_steps=1"});
   run_into(folder / "straight", whole);
-  run_into(folder / "out", whole, after_steps(5));
+  run_into(folder / "out", whole, After{5});
   std::string damaged = bytes_of(folder / "out" / checkpoint_name);
   damaged[damaged.size() / 2] ^= 1;
   folder.write("out/checkpoint.cbor", damaged);
@@ -217,7 +276,7 @@ TEST(Checkpoint, TheOneBeforeStandsInForADamagedOne) {
 // Contents that are sealed well but make no sense: told, never followed.
 TEST(Checkpoint, ContentsThatLeadAstrayAreRefused) {
   const io::TemporaryFolder folder;
-  run_into(folder / "out", samples::pair_case(folder), after_steps(3));
+  run_into(folder / "out", samples::pair_case(folder), After{3});
   const std::string bytes = bytes_of(folder / "out" / checkpoint_name);
   const std::string_view contents = std::string_view(bytes).substr(io::seal_bytes);
   EXPECT_NO_THROW(parse_checkpoint(contents));

@@ -56,10 +56,10 @@ TEST(ExplicitRun, WritesAnOutputAfterEachNumberOfTimeSteps) {
 TEST(ExplicitRun, EndsAtASignalLongBeforeItsStop) {
   const io::TemporaryFolder folder;
   Recorder recorder;
-  int asked = 0;
-  const Ending ending = run_case(pair_case(folder, explicitly("1", {})), {&recorder},
-                                 {.interrupt = [&] { return ++asked > 2 ? SIGINT : 0; }});
-  EXPECT_EQ(ending.code, 128 + SIGINT);
+  samples::Interrupter interrupter(2);
+  const Ending ending =
+      run_case(pair_case(folder, explicitly("1", {})), {&recorder, &interrupter}, interrupter.requests());
+  EXPECT_EQ(ending.code, 128 + SIGTERM);
   EXPECT_LT(recorder.last.time, 1.0);
 }
 

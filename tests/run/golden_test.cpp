@@ -134,11 +134,9 @@ State last_state(const Sample& sample) {
     EXPECT_EQ(run_case(whole, {&recorder}).code, 0);
     return recorder.last;
   }
-  const auto after = [asked = 0, steps = sample.resumed_after]() mutable {
-    return ++asked > steps ? SIGTERM : 0;
-  };
   ResultFolder files(folder / "out");
-  EXPECT_EQ(run_case(whole, {&files}, {.interrupt = after}).code, 128 + SIGTERM);
+  samples::Interrupter interrupter(sample.resumed_after);
+  EXPECT_EQ(run_case(whole, {&files, &interrupter}, interrupter.requests()).code, 128 + SIGTERM);
   Interrupted run = load_interrupted(folder / "out", {});
   EXPECT_EQ(resume_case(run, {&recorder}).code, 0);
   return recorder.last;

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <csignal>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -84,6 +85,19 @@ class Recorder : public RunListener {
   State first, last;
   Totals totals;
   bool has_failed_problem = false;
+};
+
+// Asks a run to end after so many steps, as a signal does.
+class Interrupter : public RunListener {
+ public:
+  explicit Interrupter(int steps) : left_(steps) {}
+  void step_made(const StepView&) override { --left_; }
+  Requests requests() const {
+    return {.interrupt = [this] { return left_ > 0 ? 0 : SIGTERM; }};
+  }
+
+ private:
+  int left_;
 };
 
 // The faults of a case that must not start.

@@ -136,12 +136,33 @@ TEST(Stops, AFixedStepIsNotHalvedForEver) {
   EXPECT_EQ(recorder.totals.rejected_steps, 20);  // 2^-20 is the first below 1e-6
 }
 
+// The load of an absurd pressure, or none at all, must not press spheres into less room than they fill.
+TEST(Stops, AFullCellEndsTheRunWithThree) {
+  const io::TemporaryFolder folder;
+  for (const char* stress : {"-1e12", "0"}) {
+    Recorder recorder;
+    const Ending ending = run_case(
+        periodic_case(folder, "simple-cubic", 1,
+                      {std::string("cell.stress=") + stress, "stop.time=1e9", "stop.relative_density=1"}),
+        {&recorder});
+    EXPECT_EQ(ending.code, 0) << ending.reason;
+    const Ending full =
+        run_case(samples::read_case(folder, fmt::format("[packing]\ngenerate = \"simple-cubic\"\ncount = 1\n"
+                                               "[cell]\nkind = \"periodic\"\nstress = {}\n[material]\n"
+                                               "use = \"copper\"\n[stop]\ntime = 1e9\n",
+                                               stress)),
+                 {&recorder});
+    EXPECT_EQ(full.code, 3);
+    EXPECT_NE(full.reason.find("the relative density has reached 1 at"), std::string::npos) << full.reason;
+    EXPECT_NEAR(recorder.column("relative_density").back(), 1.0, 1e-7);
+  }
+}
+
 TEST(Stops, ASignalEndsTheRunAfterItsStepWithALastRow) {
   const io::TemporaryFolder folder;
   Recorder recorder;
-  int asked = 0;
-  const Ending ending =
-      run_case(pair_case(folder), {&recorder}, {.interrupt = [&] { return ++asked > 4 ? SIGTERM : 0; }});
+  samples::Interrupter interrupter(4);
+  const Ending ending = run_case(pair_case(folder), {&recorder, &interrupter}, interrupter.requests());
   EXPECT_EQ(ending.code, 143);
   EXPECT_EQ(recorder.totals.steps, 4);
   EXPECT_EQ(recorder.column("steps").back(), 4.0);

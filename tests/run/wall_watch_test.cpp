@@ -71,12 +71,25 @@ TEST(WallWatch, EndsARunBeforeItsLimit) {
 TEST(WallWatch, ARunOutOfTimeEndsWithFour) {
   const io::TemporaryFolder folder;
   samples::Recorder recorder;
-  double now = 0.0;
-  const Ending ending = run_case(samples::pair_case(folder), {&recorder},
-                                 {.wall_seconds = [&] { return now += 1.0; }, .wall_limit = 20.0});
+  const Ending ending =
+      run_case(samples::pair_case(folder), {&recorder},
+               {.wall_seconds = [&] { return static_cast<double>(recorder.times.size()); }, .wall_limit = 8.0});
   EXPECT_EQ(ending.code, 4);
-  EXPECT_GT(recorder.totals.steps, 0);
+  EXPECT_EQ(recorder.totals.steps, 6);
   EXPECT_LT(recorder.last.time, 60.0);
+}
+
+TEST(WallWatch, ALimitThatPassesWithinAStepEndsTheRunBeforeIt) {
+  const io::TemporaryFolder folder;
+  samples::Recorder recorder;
+  double now = 0.0;  // every question costs a second; a step asks more than twenty
+  const Ending ending = run_case(samples::periodic_case(folder, "random-dense", 100), {&recorder},
+                                 {.wall_seconds = [&] { return now += 1.0; }, .wall_limit = 10.0});
+  EXPECT_EQ(ending.code, 4);
+  EXPECT_EQ(recorder.totals.steps, 0);
+  EXPECT_EQ(recorder.totals.newton_iterations, 0) << "of a step that was not made";
+  EXPECT_EQ(recorder.last.time, 0.0);
+  EXPECT_LE(now, 20.0);
 }
 
 }  // namespace

@@ -156,6 +156,28 @@ TEST(Newton, TellsThatItDidNotConverge) {
   EXPECT_GT(report.residual, 1e-9);
 }
 
+TEST(Newton, IsGivenUpWhenNobodyWaits) {
+  Dice dice(17);
+  const Problem problem = random_cluster({.spacing = 1.9}, dice).problem;
+  int asked = 0;
+  const auto count = [&](int most) { return [&asked, most] { return ++asked > most; }; };
+  Solution found = Solution::at_rest(problem);
+  ASSERT_TRUE(solve_newton(problem, {.tolerance = 1e-9, .abandon = count(1 << 20)}, found).converged);
+  const int whole = asked;
+  EXPECT_GT(whole, 10);
+  for (const int most : {0, 1, whole / 2, whole - 1}) {
+    asked = 0;
+    found = Solution::at_rest(problem);
+    const Report report = solve_newton(problem, {.tolerance = 1e-9, .abandon = count(most)}, found);
+    EXPECT_TRUE(report.abandoned) << most;
+    EXPECT_FALSE(report.converged) << most;
+    EXPECT_LE(asked, most + 6);
+  }
+  asked = 0;
+  EXPECT_TRUE(
+      solve_gauss_seidel(problem, {.abandon = count(1)}, found = Solution::at_rest(problem)).abandoned);
+}
+
 TEST(Newton, EndsAtOnceWhenTheProblemIsNotANumber) {
   Problem problem = chain({0.1, 0.1}, 1.0, 1e-3);
   problem.edges[1].normal = Vec3::Constant(std::nan(""));
