@@ -14,7 +14,7 @@ struct Action {
   Lane force, torque, bending, separation;
   double arm_i, arm_j;
   double normal, approach_velocity, pull, whole_pull;
-  Lane sliding_velocity, power;
+  Lane sliding_velocity, sliding_power, bending_power;  // powers: the sum of the lanes counts
 };
 
 // Two particles as a neck sees them.
@@ -51,13 +51,12 @@ inline Action act(const contact::SmoothLaw& law, const VerletPair& pair, const E
   done.force = -done.normal * n - slide;
   done.torque = cross(slide, n);
   done.separation = ends.separation;
-  done.power =
-      Lane{done.pull * approach, (done.normal + done.pull) * approach, dot(slide, contact_velocity)[0], 0.0};
+  done.sliding_power = slide * done.sliding_velocity;
   if constexpr (has_bending) {
     const Lane turn = ends.i.w - ends.j.w, along = dot(turn, n) * n;
     done.bending = (law.rolling * q * q * viscous) * (turn - along) +
                    (law.twisting * q * viscous * equivalent * equivalent) * along;
-    done.power[3] = dot(done.bending, turn)[0];
+    done.bending_power = done.bending * turn;
   }
   return done;
 }
@@ -110,7 +109,11 @@ PairSums VerletForces::sweep_block(std::size_t block, const VerletMoment& moment
     }
     const double share = static_cast<double>(pair.is_owner);
     all.virial += share * (action.force * d);
-    all.power += share * action.power;
+    all.sliding += share * action.sliding_power;
+    if constexpr (has_bending) all.bending += share * action.bending_power;
+    const double approach = share * action.approach_velocity;
+    all.released += action.pull * approach;
+    all.approach += (action.normal + action.pull) * approach;
   }
   return all;
 }
@@ -141,7 +144,10 @@ PairSums VerletForces::step(const VerletMoment& moment) {
   PairSums all{};
   for (const PairSums& part : of_block_) {
     all.virial += part.virial;
-    all.power += part.power;
+    all.sliding += part.sliding;
+    all.bending += part.bending;
+    all.released += part.released;
+    all.approach += part.approach;
   }
   return all;
 }

@@ -25,8 +25,9 @@ struct VerletMoment {
 
 // Of all pairs, at the velocities that the forces of a step were taken at.
 struct PairSums {
-  Lanes<double> virial;  // [J] for each axis, sum of (force on i) * (vector from i to j)
-  Lanes<double> power;   // [W]: surface energy released; dissipated by approach, by sliding, by bending
+  Lanes<double> virial;            // [J] for each axis, sum of (force on i) * (vector from i to j)
+  Lanes<double> sliding, bending;  // [W], dissipated; the sum of the lanes counts
+  double released, approach;       // [W], surface energy released, dissipated by approach
 };
 
 // Forces of a pair on its particle i, and what they come from.

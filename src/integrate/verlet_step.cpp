@@ -193,10 +193,10 @@ void Run::step(double dt) {
 // Work of a step; `of_cell` is the power [W] of what drives the cell, by axes.
 void Run::count_work(const PairSums& pairs, const Lane& of_cell) {
   const double dt = moment_.dt, power_before = load_power_;
-  work_.released += dt * pairs.power[0];
-  work_.approach += dt * pairs.power[1];
-  work_.sliding += dt * pairs.power[2];
-  work_.bending += dt * pairs.power[3];
+  work_.released += dt * pairs.released;
+  work_.approach += dt * pairs.approach;
+  work_.sliding += dt * sum(pairs.sliding);
+  work_.bending += dt * sum(pairs.bending);
   work_.cell += dt * (of_cell[0] + of_cell[1] + of_cell[2]);
   if (loaded_.empty()) return;
   load_power_ = power_of_loads();

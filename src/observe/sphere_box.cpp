@@ -55,7 +55,7 @@ double disc_in_quadrant(double radius, double a, double b) {
 // Volume of the unit ball about the origin within [0, a] x [0, b] x [0, c], 0 <= edges <= 1, ascending.
 double ball_in_octant(std::array<double, 3> edge) {
   std::sort(edge.begin(), edge.end());
-  const auto [c, b, a] = edge;
+  const double c = edge[0], b = edge[1], a = edge[2];
   if (a * a + b * b + c * c <= 1.0) return a * b * c;
   if (b >= 1.0) return 0.25 * pi * (c - c * c * c / 3.0);
   // The slice at z changes its kind where its circle passes a corner or an edge of the rectangle.

@@ -16,17 +16,17 @@ std::string many(std::size_t count, const std::string& text) {
 
 TEST(HostileText, IsRefusedWithLineAndReason) {
   const std::pair<std::string, std::string> samples[] = {
-      {"a = 1\nb = \"\xFF\"\n", "case.toml:2: this line is not valid UTF-8"},
-      {"# \xC0\xAF\n", "case.toml:1: this line is not valid UTF-8"},
+      {"a = 1\nb = \"\xFF\"\n", "case.toml:2: not TOML: this line is not valid UTF-8"},
+      {"# \xC0\xAF\n", "case.toml:1: not TOML: this line is not valid UTF-8"},
       {"# \xED\xA0\x80\n", "not valid UTF-8"},
       {"# \xF4\x90\x80\x80\n", "not valid UTF-8"},
       {"# \xE2\x82", "not valid UTF-8"},
-      {std::string("a = 1\n\0", 7), "case.toml:2: control character 0x00"},
+      {std::string("a = 1\n\0", 7), "case.toml:2: not TOML: control character 0x00"},
       {"a = \"\x1B[1m\"\n", "control character 0x1B"},
       {"größe = 1\n", "beyond ASCII outside quotation marks"},
       {"a = 1 \xE2\x80\x83\n", "beyond ASCII"},
-      {"a = \"open\nb = 1\n", "case.toml:1: a string is not closed"},
-      {"a = '''open\n\n\n", "case.toml:1: a string is not closed"},
+      {"a = \"open\nb = 1\n", "case.toml:1: not TOML: a string is not closed"},
+      {"a = '''open\n\n\n", "case.toml:1: not TOML: a string is not closed"},
       {"[=]\n", "a table header without a name"},
       {"[[=]]\n", "a table header without a name"},
       {"[", "a table header without a name"},

@@ -59,18 +59,22 @@ TEST(Setup, PeriodicPositionsAreInsideTheCell) {
 TEST(Setup, AFurnaceThatPassesTheMeltingTemperatureIsWarnedOf) {
   const io::TemporaryFolder folder;
   const auto warnings = [&](std::vector<std::string> overrides) {
-    overrides.push_back("temperature.start=1000");
-    overrides.push_back("temperature.program=[{rate = 1, to = 1300}, {hold = 100}, {rate = 2, to = 1400}]");
+    overrides.push_back("output.every_time=10");
     return make_setup(pair_case(folder, overrides)).warnings;
   };
-  const auto told = warnings({"stop.time=1000"});
+  const std::string start = "temperature.start=1000",
+                    program =
+                        "temperature.program=[{rate = 1, to = 1300}, {hold = 100}, {rate = 2, to = 1400}]";
+  const auto told = warnings({start, program, "stop.time=1000"});
   ASSERT_EQ(told.size(), 1U);
   EXPECT_NE(told[0].find("passes 1357.77 K"), std::string::npos) << told[0];
   EXPECT_NE(told[0].find("at 428.885 s on its way to 1400 K"), std::string::npos)
       << told[0];  // 300 + 100 + 57.77/2
-  EXPECT_TRUE(warnings({"stop.time=428"}).empty()) << "the run ends before";
-  EXPECT_TRUE(warnings({"stop.time=1000", "material.melting_temperature=1500"}).empty());
-  EXPECT_EQ(make_setup(pair_case(folder, {"temperature.start=1100 degC"})).warnings.size(), 1U);
+  EXPECT_TRUE(warnings({start, program, "stop.time=428"}).empty()) << "the run ends before";
+  EXPECT_TRUE(warnings({start, program, "stop.time=1000", "material.melting_temperature=1500"}).empty());
+  const auto at_once = warnings({"temperature.start=1100 degC"});
+  ASSERT_EQ(at_once.size(), 1U);
+  EXPECT_NE(at_once[0].find("at 0 s"), std::string::npos) << at_once[0];
 }
 
 TEST(Setup, GroupsHoldAndLoadTheirParticles) {

@@ -146,12 +146,12 @@ TEST(Stops, AFullCellEndsTheRunWithThree) {
                       {std::string("cell.stress=") + stress, "stop.time=1e9", "stop.relative_density=1"}),
         {&recorder});
     EXPECT_EQ(ending.code, 0) << ending.reason;
-    const Ending full =
-        run_case(samples::read_case(folder, fmt::format("[packing]\ngenerate = \"simple-cubic\"\ncount = 1\n"
+    const Ending full = run_case(
+        samples::read_case(folder, fmt::format("[packing]\ngenerate = \"simple-cubic\"\ncount = 1\n"
                                                "[cell]\nkind = \"periodic\"\nstress = {}\n[material]\n"
                                                "use = \"copper\"\n[stop]\ntime = 1e9\n",
                                                stress)),
-                 {&recorder});
+        {&recorder});
     EXPECT_EQ(full.code, 3);
     EXPECT_NE(full.reason.find("the relative density has reached 1 at"), std::string::npos) << full.reason;
     EXPECT_NEAR(recorder.column("relative_density").back(), 1.0, 1e-7);

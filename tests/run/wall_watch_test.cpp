@@ -71,9 +71,9 @@ TEST(WallWatch, EndsARunBeforeItsLimit) {
 TEST(WallWatch, ARunOutOfTimeEndsWithFour) {
   const io::TemporaryFolder folder;
   samples::Recorder recorder;
-  const Ending ending =
-      run_case(samples::pair_case(folder), {&recorder},
-               {.wall_seconds = [&] { return static_cast<double>(recorder.times.size()); }, .wall_limit = 8.0});
+  const Ending ending = run_case(
+      samples::pair_case(folder), {&recorder},
+      {.wall_seconds = [&] { return static_cast<double>(recorder.times.size()); }, .wall_limit = 8.0});
   EXPECT_EQ(ending.code, 4);
   EXPECT_EQ(recorder.totals.steps, 6);
   EXPECT_LT(recorder.last.time, 60.0);

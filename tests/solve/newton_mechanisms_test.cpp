@@ -11,8 +11,8 @@ namespace {
 
 using namespace testing;
 
-constexpr Options settling{.tolerance = 1e-8, .settles_mechanisms = true};
-constexpr Options not_settling{.tolerance = 1e-8, .settles_mechanisms = false};
+const Options settling{.tolerance = 1e-8, .settles_mechanisms = true};
+const Options not_settling{.tolerance = 1e-8, .settles_mechanisms = false};
 
 Solution solved(const Problem& p, const Options& options, Solution start) {
   const Report report = solve_newton(p, options, start);
