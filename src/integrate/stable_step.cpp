@@ -63,7 +63,8 @@ class Bound {
     const double heavier = std::min(in_.inertia[pair.i].inverse_mass, in_.inertia[pair.j].inverse_mass);
     const double x_c =
         heavier > 0.0 ? inertial_neck_ratio(in_.delta_b, pair.least_pull, 1.0 / heavier, equivalent) : 0.0;
-    double q = std::pow(std::max(x_c, in_.law.birth_neck_ratio) * equivalent, 2);
+    const double youngest = std::max(x_c, in_.law.birth_neck_ratio) * equivalent;
+    double q = youngest * youngest;
     if (pair.kind == PairKind::neck) {
       q = std::max(q, pair.growth * (pair.sum_radii - distance) + pair.offset);
     }

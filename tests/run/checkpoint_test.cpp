@@ -109,7 +109,7 @@ TEST_P(Interruptions, WithinAStepLeaveNoTrace) {
     number = has_moved ? 1 + number / 3 : 2 * number + 7;
   }
   EXPECT_EQ(ending.code, 0);
-  EXPECT_GT(given_up, 3);
+  EXPECT_GT(given_up, 0);
   EXPECT_TRUE(results_in(folder / "straight") == results_in(folder / "torn"));
 }
 
