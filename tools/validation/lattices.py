@@ -13,11 +13,11 @@ X0 = 0.03
 def density_claim(workshop, name, case, start_density, spheres=None):
     """The density at three times of a case whose spheres just touch, against the closed form."""
     errors = []
-    for x in (0.3, 0.5, 0.7):
+    for x in (0.3, 0.5, 0.6):  # all below a density of 1
         timed = with_keys(case, stop={"time": law.tau_of_neck(x, X0) * law.time_scale()})
         density = workshop.run(timed, spheres).final()["relative_density"]
         errors.append(abs(density / law.lattice_density(start_density, x, X0) - 1))
-    return is_below(f"{name}: density", "largest error at x = 0.3, 0.5, 0.7", max(errors), 1e-4)
+    return is_below(f"{name}: density", "largest error at x = 0.3, 0.5, 0.6", max(errors), 1e-4)
 
 
 def lattices(workshop):
