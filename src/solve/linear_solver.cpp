@@ -106,7 +106,7 @@ LinearReport LinearSolver::solve_directly(const Linearisation& place, std::span<
   TangentOperator<double> matrix = operator_at<double>(problem_, place);
   const auto iterate = [&](long most_iterations) {
     return conjugate_gradients<double>(matrix, {nullptr, direct_.get()}, right_side, x,
-                                       {options.relative_tolerance, most_iterations});
+                                       {options.relative_tolerance, most_iterations, options.abandon});
   };
   LinearReport report;
   long wasted = 0;
