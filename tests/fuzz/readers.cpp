@@ -1,18 +1,15 @@
-// Gives any bytes to the reader that FRIT_READER names: an answer or an InputError, nothing else.
+#include "fuzz/readers.hpp"
+
 #include <unistd.h>
 
-#include <cstdio>
-#include <cstdlib>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <map>
 #include <string>
-#include <string_view>
+#include <system_error>
 
 #include "config/case_reader.hpp"
 #include "config/units.hpp"
-#include "core/error.hpp"
 #include "io/contacts_csv.hpp"
 #include "io/frame_files.hpp"
 #include "io/packing_csv.hpp"
@@ -22,25 +19,37 @@
 #include "io/state_arrays.hpp"
 #include "solve/dump.hpp"
 
+namespace frit::fuzz {
 namespace {
 
-using Reader = std::function<void(std::string_view)>;
+// The bytes as a file for as long as it lives, in memory where there is such a place.
+class Copy {
+ public:
+  Copy(std::string_view bytes, const std::string& ending) {
+    static const std::string folder = std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp";
+    path_ = folder + "/frit-fuzz-" + std::to_string(::getpid()) + ending;
+    std::ofstream(path_, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  }
+  Copy(const Copy&) = delete;
+  Copy& operator=(const Copy&) = delete;
+  ~Copy() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  const std::filesystem::path& path() const { return path_; }
 
-// For readers of files: in memory where there is such a place.
-std::filesystem::path file_of(std::string_view bytes, const std::string& ending) {
-  static const std::string folder = std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp";
-  const std::filesystem::path path = folder + "/frit-fuzz-" + std::to_string(::getpid()) + ending;
-  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return path;
-}
+ private:
+  std::filesystem::path path_;
+};
 
 void read_state(std::string_view bytes) {
-  frit::io::unseal(bytes, {"frit checkpoint", 1});
-  frit::io::take_state(frit::io::CborMap::parse(bytes), "now.");
+  io::unseal(bytes, {"frit checkpoint", 1});
+  io::take_state(io::CborMap::parse(bytes), "now.");
 }
 
+}  // namespace
+
 const std::map<std::string, Reader>& readers() {
-  using namespace frit;
   static const std::map<std::string, Reader> all{
       {"case", [](auto bytes) { config::parse_case(bytes, "case.toml"); }},
       {"units", [](auto bytes) { config::parse_quantity(bytes, config::Quantity::length); }},
@@ -49,33 +58,14 @@ const std::map<std::string, Reader>& readers() {
        [](auto bytes) {
          solve::load_dump({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
        }},
-      {"packing", [](auto bytes) { io::read_packing_csv(file_of(bytes, ".csv")); }},
-      {"contacts", [](auto bytes) { io::read_contacts_csv(file_of(bytes, ".csv"), 100); }},
-      {"series", [](auto bytes) { io::read_series(file_of(bytes, ".csv")); }},
-      {"pvd", [](auto bytes) { io::read_pvd(file_of(bytes, ".pvd")); }},
-      {"vtp", [](auto bytes) { io::read_frame(file_of(bytes, ".vtp")); }},
-      {"xyz", [](auto bytes) { io::read_frame(file_of(bytes, ".xyz")); }},
-      {"lammps", [](auto bytes) { io::read_frame(file_of(bytes, ".dump")); }}};
+      {"packing", [](auto bytes) { io::read_packing_csv(Copy(bytes, ".csv").path()); }},
+      {"contacts", [](auto bytes) { io::read_contacts_csv(Copy(bytes, ".csv").path(), 100); }},
+      {"series", [](auto bytes) { io::read_series(Copy(bytes, ".csv").path()); }},
+      {"pvd", [](auto bytes) { io::read_pvd(Copy(bytes, ".pvd").path()); }},
+      {"vtp", [](auto bytes) { io::read_frame(Copy(bytes, ".vtp").path()); }},
+      {"xyz", [](auto bytes) { io::read_frame(Copy(bytes, ".xyz").path()); }},
+      {"lammps", [](auto bytes) { io::read_frame(Copy(bytes, ".dump").path()); }}};
   return all;
 }
 
-const Reader& chosen() {
-  const char* name = std::getenv("FRIT_READER");
-  const auto found = readers().find(name != nullptr ? name : "");
-  if (found != readers().end()) return found->second;
-  std::fputs("FRIT_READER names none of the readers:", stderr);
-  for (const auto& [known, reader] : readers()) std::fprintf(stderr, " %s", known.c_str());
-  std::fputs("\n", stderr);
-  std::exit(2);
-}
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Reader reader = chosen();
-  try {
-    reader({reinterpret_cast<const char*>(data), size});
-  } catch (const frit::InputError&) {
-  }
-  return 0;
-}
+}  // namespace frit::fuzz
