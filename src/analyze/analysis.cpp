@@ -3,7 +3,9 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "analyze/histogram.hpp"
 #include "analyze/same_particles.hpp"

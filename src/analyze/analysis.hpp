@@ -2,13 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "analyze/centres.hpp"
-#include "analyze/snapshots.hpp"
 #include "observe/reference.hpp"
 #include "observe/row.hpp"
 

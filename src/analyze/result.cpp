@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <variant>
+#include <system_error>
 
 #include "config/toml_reader.hpp"
 #include "core/error.hpp"

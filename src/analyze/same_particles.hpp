@@ -1,7 +1,6 @@
 // Which particle is which between moments from different files.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 

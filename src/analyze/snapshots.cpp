@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include "core/error.hpp"
 #include "io/frame_files.hpp"

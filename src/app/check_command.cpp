@@ -3,6 +3,8 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "app/case_options.hpp"
 #include "app/commands.hpp"

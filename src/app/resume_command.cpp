@@ -1,13 +1,14 @@
 #include <fmt/core.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/session.hpp"
-#include "core/error.hpp"
 #include "run/folders.hpp"
 #include "run/result_folder.hpp"
 #include "run/run_case.hpp"

@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "app/interrupts.hpp"
 #include "app/progress.hpp"

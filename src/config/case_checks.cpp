@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <string>
+#include <utility>
 
 #include "config/case_reader.hpp"
 #include "config/schema.hpp"

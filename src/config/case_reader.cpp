@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 #include <array>
+#include <system_error>
+#include <utility>
+#include <variant>
 
 #include <fstream>
 #include <optional>

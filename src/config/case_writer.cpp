@@ -1,5 +1,8 @@
 #include "config/case_writer.hpp"
 
+#include <optional>
+#include <variant>
+
 #include <fmt/core.h>
 
 #include "config/schema.hpp"

@@ -1,5 +1,7 @@
 #include "config/reference.hpp"
 
+#include <vector>
+
 #include <fmt/core.h>
 
 #include "config/nearest.hpp"

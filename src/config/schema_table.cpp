@@ -1,3 +1,6 @@
+#include <span>
+#include <vector>
+
 #include "config/slots.hpp"
 #include "core/constants.hpp"
 

@@ -1,7 +1,10 @@
 // Ties a row of the schema to the member that holds its value.
 #pragma once
 
+#include <optional>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "config/schema.hpp"
 

@@ -1,11 +1,9 @@
 // TOML text into a Document tree. The only place that knows the TOML library.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "config/document.hpp"
-#include "config/toml_screen.hpp"
 
 namespace frit::config {
 

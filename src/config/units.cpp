@@ -2,9 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <system_error>
 
 #include "core/constants.hpp"
 #include "core/error.hpp"

@@ -1,9 +1,7 @@
 // Quantities with units, as a user writes them ("5 um", "10 K/min"), into SI numbers with a dimension check.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 namespace frit::config {

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <variant>
+#include <vector>
 
 #include "config/nearest.hpp"
 #include "core/contract.hpp"

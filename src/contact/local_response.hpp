@@ -2,6 +2,8 @@
 // The step's problem is made from these alone (network); a new law only has to fill them.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "contact/sintering_law.hpp"

@@ -2,6 +2,8 @@
 // figures are taken from sintering_law.hpp by evaluating it, so that there is one law.
 #pragma once
 
+#include <algorithm>
+
 #include "contact/sintering_law.hpp"
 
 namespace frit::contact {

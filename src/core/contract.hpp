@@ -2,6 +2,8 @@
 // On when FRIT_CHECKS is defined (presets dev, audit, asan-ubsan); a user's mistakes are InputError instead.
 #pragma once
 
+#include <string>
+
 #include "core/error.hpp"
 
 namespace frit::detail {

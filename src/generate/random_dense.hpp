@@ -3,7 +3,6 @@
 
 #include <cstdint>
 
-#include "generate/lattice.hpp"
 #include "generate/packing.hpp"
 
 namespace frit::generate {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "integrate/stepper.hpp"
 #include "integrate/temperature.hpp"
@@ -28,8 +29,8 @@ struct StepSettings {
 
 class ImplicitStep : public Stepper {
  public:
-  ImplicitStep(const StepSettings& settings, const Furnace& furnace)
-      : settings_(settings), furnace_(furnace) {}
+  ImplicitStep(StepSettings settings, const Furnace& furnace)
+      : settings_(std::move(settings)), furnace_(furnace) {}
 
   // One step of the stretch's duration.
   StepReport attempt(const State& from, const Stretch& stretch, State& to) override;

@@ -2,6 +2,8 @@
 // inertia ends (theory.md, section 7).
 #pragma once
 
+#include <span>
+
 #include "integrate/verlet_forces.hpp"
 
 namespace frit::integrate {

@@ -1,6 +1,8 @@
 #include "integrate/step_work.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <span>
 
 #include "core/parallel.hpp"
 #include "solve/edge_action.hpp"

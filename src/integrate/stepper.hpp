@@ -56,6 +56,7 @@ struct Stretch {
   double duration;     // [s]
   std::int64_t steps;  // time steps, for methods that take many in one attempt
 
+  // A number of seconds is a stretch: NOLINTNEXTLINE(google-explicit-constructor)
   Stretch(double seconds, std::int64_t most_steps = std::numeric_limits<std::int64_t>::max())
       : duration(seconds), steps(most_steps) {}
 };

@@ -1,5 +1,7 @@
 #include "integrate/verlet_forces.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "core/parallel.hpp"

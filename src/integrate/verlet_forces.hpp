@@ -1,7 +1,6 @@
 // One explicit step of all particles: forces of the pairs of now, kick, drift. The inner loop of Verlet.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 

@@ -1,6 +1,8 @@
 #include "integrate/verlet_list.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <tuple>
 

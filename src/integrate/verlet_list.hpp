@@ -5,13 +5,13 @@
 // both, where its two copies see the same numbers and so stay the same. Births and deaths happen inside.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <tuple>
 #include <vector>
 
 #include "contact/detection.hpp"
-#include "contact/smooth_response.hpp"
 #include "core/lanes.hpp"
 #include "state/state.hpp"
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "integrate/stepper.hpp"
 #include "integrate/temperature.hpp"
@@ -26,8 +27,8 @@ struct VerletSettings {
 
 class VerletStep : public Stepper {
  public:
-  VerletStep(const VerletSettings& settings, const Furnace& furnace)
-      : settings_(settings), furnace_(furnace) {}
+  VerletStep(VerletSettings settings, const Furnace& furnace)
+      : settings_(std::move(settings)), furnace_(furnace) {}
 
   StepReport attempt(const State& from, const Stretch& stretch, State& to) override;
 

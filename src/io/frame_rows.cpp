@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
+#include <variant>
 
-#include "core/contract.hpp"
 #include "io/check_particles.hpp"
 
 namespace frit::io {

@@ -1,5 +1,7 @@
 #include "io/json.hpp"
 
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/contract.hpp"
 #include "io/check_particles.hpp"

@@ -9,8 +9,8 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cmath>
 #include <cstring>
+#include <system_error>
 
 #include "core/error.hpp"
 #include "io/write_file.hpp"

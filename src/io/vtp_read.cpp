@@ -1,10 +1,11 @@
 #include <fmt/core.h>
 
 #include <cstdint>
-#include <optional>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/error.hpp"
 #include "io/text.hpp"

@@ -1,9 +1,14 @@
 #include <fmt/core.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <numeric>
 #include <span>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
 #include "core/contract.hpp"
 #include "io/vtp.hpp"

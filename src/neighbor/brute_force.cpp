@@ -1,6 +1,7 @@
 // Looks at every pair and every image that could matter; slow and simple on purpose.
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "core/contract.hpp"
 #include "neighbor/reach.hpp"

@@ -4,8 +4,10 @@
 // on the ratio of radii.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <tuple>
+#include <vector>
 
 #include "core/contract.hpp"
 #include "core/parallel.hpp"

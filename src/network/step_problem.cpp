@@ -1,6 +1,9 @@
 #include "network/step_problem.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "core/parallel.hpp"
 

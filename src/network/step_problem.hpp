@@ -8,10 +8,8 @@
 
 #include <array>
 #include <span>
-#include <vector>
 
 #include "contact/detection.hpp"
-#include "contact/local_response.hpp"
 #include "solve/problem.hpp"
 #include "state/state.hpp"
 

@@ -1,7 +1,9 @@
 #include "observe/density.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <vector>
 
 #include "core/constants.hpp"
 #include "observe/motion.hpp"

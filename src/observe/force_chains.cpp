@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "observe/contact_graph.hpp"
 #include "observe/statistics.hpp"

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "observe/contact_graph.hpp"
 #include "observe/force_chains.hpp"

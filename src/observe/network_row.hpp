@@ -2,6 +2,8 @@
 // cost more than a row of series.csv and are made from snapshots. Reference: docs/observables.md.
 #pragma once
 
+#include <vector>
+
 #include "observe/row.hpp"
 
 namespace frit::observe {

@@ -21,7 +21,7 @@ using Row = std::vector<Column>;
 Row observe_row(const Reference& reference, const State& state, const NeckLaw& law);
 
 struct Unit {
-  std::string_view text = "";  // with a leading blank and brackets, or empty
+  std::string_view text;  // with a leading blank and brackets, or empty
 };
 
 // Appends the columns name_mean, name_q10, name_q50, name_q90.

@@ -3,8 +3,7 @@
 
 #include <pybind11/numpy.h>
 
-#include <string>
-#include <type_traits>
+#include <cstdint>
 #include <utility>
 #include <variant>
 #include <vector>

@@ -4,6 +4,8 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "analyze/snapshots.hpp"
 #include "io/frame_files.hpp"

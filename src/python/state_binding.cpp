@@ -1,6 +1,8 @@
 #include "python/state_binding.hpp"
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "observe/fields.hpp"
 #include "python/arrays.hpp"

@@ -2,7 +2,7 @@
 
 #include <cairo.h>
 
-#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <numbers>
 

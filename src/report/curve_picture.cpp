@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
 
-#include "report/case_words.hpp"
 #include "report/pictures.hpp"
 #include "report/plot.hpp"
 

@@ -1,8 +1,8 @@
 #include "report/frame_packer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "report/result.hpp"
 

@@ -1,9 +1,10 @@
 // Turns frames into the bytes of a page; each frame builds on the one before.
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/vtp.hpp"

@@ -1,8 +1,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "report/case_words.hpp"

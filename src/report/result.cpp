@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <system_error>
+#include <variant>
 
 #include "config/case_reader.hpp"
 #include "core/error.hpp"

@@ -10,7 +10,6 @@
 
 #include "config/case.hpp"
 #include "io/series.hpp"
-#include "io/vtp.hpp"
 
 namespace frit::report {
 

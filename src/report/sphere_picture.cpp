@@ -1,8 +1,8 @@
 #include "report/sphere_picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/parallel.hpp"

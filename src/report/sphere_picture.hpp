@@ -1,7 +1,6 @@
 // Draws spheres exactly, by rays: no graphics card, no display, the same bytes for any number of threads.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

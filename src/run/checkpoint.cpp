@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <cstdint>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "config/case_writer.hpp"
 #include "core/error.hpp"

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "config/case.hpp"
 #include "io/sealed.hpp"
 #include "io/series.hpp"
 #include "run/progress.hpp"

@@ -1,6 +1,7 @@
 #include "run/id_order.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <tuple>
 #include <vector>

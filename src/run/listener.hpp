@@ -9,7 +9,6 @@
 #include "run/setup.hpp"
 #include "run/stage_clock.hpp"
 #include "run/totals.hpp"
-#include "solve/problem.hpp"
 
 namespace frit::run {
 

@@ -1,5 +1,6 @@
 #include "run/result_folder.hpp"
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>

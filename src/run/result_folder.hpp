@@ -1,6 +1,7 @@
 // A run's files: case.toml, series.csv, snapshots, and at the end summary.json (docs/formats.md).
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 

@@ -1,6 +1,7 @@
 // The outer loop of a run: steps until a stop, outputs on the way, everyone told who listens.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>

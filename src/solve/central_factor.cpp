@@ -1,6 +1,9 @@
 #include "solve/central_factor.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
 
 #include "core/parallel.hpp"
 

@@ -2,6 +2,7 @@
 // nothing but inertia resists its rotation.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "solve/block_jacobi.hpp"

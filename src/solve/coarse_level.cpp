@@ -1,6 +1,8 @@
 #include "solve/coarse_level.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "core/parallel.hpp"
 

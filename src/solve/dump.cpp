@@ -1,5 +1,10 @@
 #include "solve/dump.hpp"
 
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 #include "core/error.hpp"

@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include "solve/gradient.hpp"
 #include "solve/incidence.hpp"

@@ -1,5 +1,7 @@
 #include "solve/rigid_modes.hpp"
 
+#include <cmath>
+
 #include <Eigen/Cholesky>
 
 #include "solve/gradient.hpp"

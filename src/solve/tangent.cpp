@@ -1,7 +1,6 @@
 #include "solve/tangent.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/parallel.hpp"
 

@@ -28,10 +28,10 @@ struct Particles {
     position.push_back(x);
     radius.push_back(r);
     mass.push_back(m);
-    velocity.push_back(Vec3::Zero());
-    spin.push_back(Vec3::Zero());
+    velocity.emplace_back(Vec3::Zero());
+    spin.emplace_back(Vec3::Zero());
     orientation.push_back(Quat::Identity());
-    force.push_back(Vec3::Zero());
+    force.emplace_back(Vec3::Zero());
     fixed.push_back(0);
   }
 };
