@@ -13,6 +13,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
+#include "core/thread_sanitizer.hpp"
+
 namespace frit {
 
 namespace detail {
@@ -48,7 +50,13 @@ void parallel_blocks(std::size_t count, Body&& body) {
     for (std::size_t block = 0; block < blocks; ++block) run(block);
     return;
   }
-  tbb::parallel_for(std::size_t{0}, blocks, run);
+  detail::ForkAndJoin order;
+  tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    order.begin_part();
+    run(block);
+    order.end_part();
+  });
+  order.join();
 }
 
 // body(index) for each index of [0, count), in any order.
@@ -67,7 +75,14 @@ void run_both(First&& first, Second&& second) {
     second();
     return;
   }
-  tbb::parallel_invoke(first, second);
+  detail::ForkAndJoin order;
+  const auto part = [&order](auto& function) {
+    order.begin_part();
+    function();
+    order.end_part();
+  };
+  tbb::parallel_invoke([&] { part(first); }, [&] { part(second); });
+  order.join();
 }
 
 // Sum over blocks of block_sum(begin, end) -> Value, added in block order.
