@@ -82,7 +82,7 @@ void PatchMaker::copy_edges(Patch& patch) const {
 Solution taken_from(const Solution& whole, const Patch& patch) {
   Solution part = Solution::at_rest(patch.problem);
   for (std::size_t n = 0; n < patch.bodies.size(); ++n) {
-    std::copy_n(whole.motion.begin() + 6 * patch.bodies[n], 6, part.motion.begin() + 6 * n);
+    std::copy_n(whole.motion.begin() + std::ptrdiff_t{6} * patch.bodies[n], 6, part.motion.begin() + 6 * n);
   }
   std::copy_n(whole.motion.end() - 3, 3, part.motion.end() - 3);
   for (std::size_t k = 0; k < patch.edges.size(); ++k) part.multiplier[k] = whole.multiplier[patch.edges[k]];
@@ -91,7 +91,7 @@ Solution taken_from(const Solution& whole, const Patch& patch) {
 
 void put_back(const Solution& part, const Patch& patch, Solution& whole) {
   for (std::size_t n = 0; n < patch.active; ++n) {
-    std::copy_n(part.motion.begin() + 6 * n, 6, whole.motion.begin() + 6 * patch.bodies[n]);
+    std::copy_n(part.motion.begin() + 6 * n, 6, whole.motion.begin() + std::ptrdiff_t{6} * patch.bodies[n]);
   }
   for (std::size_t k = 0; k < patch.edges.size(); ++k) whole.multiplier[patch.edges[k]] = part.multiplier[k];
 }

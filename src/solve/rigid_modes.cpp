@@ -125,13 +125,14 @@ void balance_translation(const Inertia& inertia, const Cluster& cluster, std::ve
   for (const std::int32_t body : cluster.bodies) {
     const double own = inertia.mass(body);
     missing += (inertia.massless ? Vec3(Vec3::Zero()) : inertia.loads.force[static_cast<std::size_t>(body)]) -
-               own * MutVec(motion.data() + 6 * body);
+               own * MutVec(motion.data() + std::ptrdiff_t{6} * body);
     mass += own;
   }
   if (cluster.bodies.size() == 1) {
     missing += mass * carried_motion(inertia.problem, static_cast<std::size_t>(cluster.bodies.front()));
   }
-  for (const std::int32_t body : cluster.bodies) MutVec(motion.data() + 6 * body) += missing / mass;
+  for (const std::int32_t body : cluster.bodies)
+    MutVec(motion.data() + std::ptrdiff_t{6} * body) += missing / mass;
 }
 
 void balance_rotation(const Inertia& inertia, const Cluster& cluster, std::vector<double>& motion) {
@@ -142,15 +143,15 @@ void balance_rotation(const Inertia& inertia, const Cluster& cluster, std::vecto
     const auto row = static_cast<std::size_t>(body);
     const Vec3& x = cluster.position[n];
     if (!inertia.massless) missing += x.cross(inertia.loads.force[row]) + inertia.loads.torque[row];
-    missing -= inertia.mass(body) * x.cross(MutVec(motion.data() + 6 * body)) +
-               inertia.moment(body) * MutVec(motion.data() + 6 * body + 3);
+    missing -= inertia.mass(body) * x.cross(MutVec(motion.data() + std::ptrdiff_t{6} * body)) +
+               inertia.moment(body) * MutVec(motion.data() + std::ptrdiff_t{6} * body + 3);
     tensor += inertia.mass(body) * (x.squaredNorm() * Mat3::Identity() - x * x.transpose()) +
               inertia.moment(body) * Mat3::Identity();
   }
   const Vec3 turn = tensor.ldlt().solve(missing);
   for (std::size_t n = 0; n < cluster.bodies.size(); ++n) {
-    MutVec(motion.data() + 6 * cluster.bodies[n]) += turn.cross(cluster.position[n]);
-    MutVec(motion.data() + 6 * cluster.bodies[n] + 3) += turn;
+    MutVec(motion.data() + std::ptrdiff_t{6} * cluster.bodies[n]) += turn.cross(cluster.position[n]);
+    MutVec(motion.data() + std::ptrdiff_t{6} * cluster.bodies[n] + 3) += turn;
   }
 }
 
