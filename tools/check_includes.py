@@ -19,21 +19,25 @@ import tempfile
 
 STANDARD = {  # header: the names in std that need it
     "algorithm": "adjacent_find all_of any_of binary_search clamp copy copy_if copy_n count count_if equal fill fill_n find find_if "
-                 "is_sorted lower_bound max max_element min min_element minmax minmax_element none_of nth_element sort stable_sort "
+                 "find_first_of find_if_not is_sorted lower_bound max max_element min min_element minmax minmax_element none_of nth_element sort stable_sort "
                  "transform unique unique_copy upper_bound ranges::all_of ranges::any_of ranges::binary_search ranges::copy_if "
                  "ranges::count ranges::fill ranges::find ranges::find_if ranges::is_sorted ranges::lower_bound ranges::max_element "
                  "ranges::none_of ranges::replace ranges::replace_if ranges::set_difference ranges::set_intersection ranges::sort "
-                 "ranges::transform reverse rotate swap_ranges remove_if",
-    "array": "array", "atomic": "atomic", "bit": "bit_cast bit_ceil endian endian::little endian::native popcount",
+                 "ranges::transform ranges::count_if ranges::equal ranges::fill_n ranges::generate ranges::min_element ranges::move "
+                 "ranges::remove_if ranges::reverse ranges::stable_sort ranges::unique ranges::upper_bound copy_backward equal_range for_each "
+                 "generate includes inplace_merge is_sorted_until lexicographical_compare merge mismatch move_backward partial_sort partition "
+                 "partition_point replace replace_if reverse rotate search set_difference set_intersection set_union shuffle stable_partition "
+                 "swap_ranges remove remove_if",
+    "array": "array", "atomic": "atomic", "bit": "bit_cast bit_ceil bit_floor bit_width countl_zero countr_zero endian endian::little endian::native popcount",
     "charconv": "from_chars to_chars chars_format", "chrono": "chrono", "exception": "exception exception_ptr rethrow_exception",
-    "cmath": "abs acos asin atan2 cbrt ceil copysign cos erf exp expm1 floor fmod hypot isfinite isinf isnan llround log log10 log1p "
-             "log2 lround nextafter pow round sin sqrt tan tanh",
+    "cmath": "abs acos asin atan atan2 cbrt ceil copysign cos erf exp expm1 floor fmod hypot isfinite isinf isnan llround log log10 log1p "
+             "log2 lerp lround nextafter pow round sin sqrt tan tanh",
     "cstdint": "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t", "csignal": "signal sig_atomic_t raise",
     "cstdio": "fflush fputs fprintf fopen fclose fwrite rename", "cstdlib": "abort exit getenv", "cstring": "memcpy memset strerror",
     "filesystem": "filesystem", "fstream": "ifstream ofstream", "functional": "function less greater", "iterator": "back_inserter next",
     "limits": "numeric_limits", "map": "map", "memory": "const_pointer_cast make_shared make_unique make_unique_for_overwrite "
     "shared_ptr unique_ptr weak_ptr", "mutex": "lock_guard mutex", "new": "bad_alloc", "numbers": "numbers::pi", "numeric": "accumulate "
-    "iota partial_sum", "optional": "nullopt optional", "set": "set", "span": "as_bytes as_writable_bytes span", "sstream":
+    "exclusive_scan inclusive_scan inner_product iota midpoint partial_sum reduce transform_reduce gcd", "optional": "nullopt optional", "set": "set", "span": "as_bytes as_writable_bytes span", "sstream":
     "istringstream ostringstream", "stdexcept": "invalid_argument logic_error out_of_range runtime_error", "string":
     "getline string to_string stod stoll", "string_view": "string_view", "system_error": "errc error_code system_error",
     "tuple": "ignore tie tuple", "type_traits": "is_enum is_enum_v is_same_v is_trivially_copyable_v remove_reference_t false_type",

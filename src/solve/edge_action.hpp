@@ -1,6 +1,7 @@
 // What one edge does for a given motion: the kernel shared by the gradient and the Gauss-Seidel solver.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "solve/problem.hpp"
