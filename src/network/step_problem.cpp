@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/local_response.hpp"
 #include "core/parallel.hpp"
 
 namespace frit::network {
