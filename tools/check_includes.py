@@ -60,7 +60,7 @@ C_NAMES = {  # headers of C: names that may stand without std::
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
 USED = re.compile(r"\bstd::((?:ranges::|numbers::|endian::)?\w+)")
 DECLARED = [re.compile(pattern, re.MULTILINE) for pattern in (
-    r"^\s*#\s*define\s+(\w+)", r"\b(?:struct|class|enum|union|concept)\s+(?:\[\[\w+\]\]\s*)?(\w+)", r"\busing\s+(\w+)\s*=",
+    r"^\s*#\s*define\s+(\w+)", r"\b(?:enum\s+class|enum|struct|class|union|concept)\s+(?:\[\[\w+\]\]\s*)?(\w+)", r"\busing\s+(\w+)\s*=",
     r"^(?:  )?[\w:<>,&*\[\]() ]*?[\w>&*\]]\s+[&*]?(\w+)\(", r"^[\w:<>,&* ]*\b(?:const|constexpr|extern)\b[\w:<>,&* ]*?(\w+)(?:\[\w*\])*\s*(?:=|;|\{)",
     r"^\s*(\w+)(?:,| = [^;]*|)$")]
 
@@ -158,6 +158,7 @@ SELF_TESTS = [  # files, the fault expected (None: none)
     ({"io/a.hpp": "#pragma once\n", "io/a.cpp": '#include <map>\n#include "io/a.hpp"\nstd::map<int, int> v;\n'}, "not the first include"),
     ({"io/a.hpp": "#pragma once\nint answer(int);\n", "io/b.cpp": '#include "io/a.hpp"\nint b = 1;\n'}, "b.cpp:1: nothing of io/a.hpp"),
     ({"io/a.hpp": "#pragma once\nint answer(int);\n", "io/b.cpp": '#include "io/a.hpp"\nint b = answer(1);\n'}, None),
+    ({"io/a.hpp": "#pragma once\nenum class A { first };\n", "io/b.cpp": '#include "io/a.hpp"\nA b;\n'}, None),
     ({"io/a.cpp": "int a = std::frobnicate(1);\n"}, "std::frobnicate is not in the table"),
 ]
 

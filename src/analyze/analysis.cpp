@@ -9,6 +9,7 @@
 
 #include "analyze/histogram.hpp"
 #include "analyze/same_particles.hpp"
+#include "analyze/snapshots.hpp"
 #include "core/error.hpp"
 #include "io/json.hpp"
 #include "io/series.hpp"

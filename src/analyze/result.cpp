@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "config/toml_reader.hpp"
+#include "config/toml_screen.hpp"
 #include "core/error.hpp"
 #include "io/text.hpp"
 #include "observe/statistics.hpp"

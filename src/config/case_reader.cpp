@@ -15,6 +15,7 @@
 #include "config/nearest.hpp"
 #include "config/schema.hpp"
 #include "config/toml_reader.hpp"
+#include "config/toml_screen.hpp"
 #include "config/values.hpp"
 #include "core/error.hpp"
 

@@ -22,6 +22,7 @@ const ListAccess particle_groups{
     [](Case& whole) { whole.particles.emplace_back(); },
     [](Case& whole, std::size_t n) { return Target{.whole = whole, .group = &whole.particles[n]}; }};
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Key> packing_keys() {
   return {
       {.path = "title",
@@ -179,6 +180,7 @@ std::vector<Key> material_keys() {
   };
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Key> contact_keys() {
   return {
       {.path = "contact.attraction",
@@ -279,6 +281,7 @@ std::vector<Key> temperature_keys() {
   };
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Key> method_keys() {
   return {
       {.path = "method.name",

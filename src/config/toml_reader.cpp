@@ -1,8 +1,11 @@
 #include "config/toml_reader.hpp"
 
 #include <toml++/toml.h>
+
 #include <algorithm>
 #include <string>
+
+#include "config/toml_screen.hpp"
 
 namespace frit::config {
 namespace {

@@ -28,6 +28,7 @@ std::vector<neighbor::Pair> choose_bonds(const SoftSpheres& spheres, const BondO
   }
   std::sort(chosen.begin(), chosen.end());
   std::vector<neighbor::Pair> bonds;
+  bonds.reserve(chosen.size());
   for (const std::size_t k : chosen) bonds.push_back(pairs[k]);
   return bonds;
 }

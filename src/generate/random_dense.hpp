@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "generate/lattice.hpp"
 #include "generate/packing.hpp"
 
 namespace frit::generate {

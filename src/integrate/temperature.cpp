@@ -24,7 +24,7 @@ double BoundaryDiffusion::delta_b(double T) const {
          (boltzmann_constant * T);
 }
 
-Furnace::Furnace(const BoundaryDiffusion& diffusion, double start_temperature, std::vector<Ramp> ramps)
+Furnace::Furnace(const BoundaryDiffusion& diffusion, double start_temperature, const std::vector<Ramp>& ramps)
     : diffusion_(diffusion), knot_time_{0.0}, knot_temperature_{start_temperature} {
   for (const Ramp& ramp : ramps) {
     knot_temperature_.push_back(knot_temperature_.back() + ramp.rate * ramp.duration);

@@ -24,7 +24,7 @@ struct Ramp {
 // Piecewise linear temperature; the last temperature holds on for ever.
 class Furnace {
  public:
-  Furnace(const BoundaryDiffusion& diffusion, double start_temperature, std::vector<Ramp> ramps);
+  Furnace(const BoundaryDiffusion& diffusion, double start_temperature, const std::vector<Ramp>& ramps);
 
   double temperature(double time) const;  // [K]
   double delta_b(double time) const;      // [m^5/(N s)]

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/smooth_response.hpp"
 #include "integrate/verlet_list.hpp"
 
 namespace frit::integrate {

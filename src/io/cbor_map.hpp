@@ -30,6 +30,7 @@ class CborMap {
   template <class T>
   void put_array(const std::string& name, const std::vector<T>& values, Zeros zeros = Zeros::counted) {
     Bytes bytes(values.size() * sizeof(T));
+    // NOLINTNEXTLINE(bugprone-undefined-memory-manipulation): Eigen's small vectors are their numbers
     if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
     put_bytes(name, std::move(bytes), zeros == Zeros::counted ? sizeof(T) : 0);
   }

@@ -117,7 +117,7 @@ std::string find_vector(const std::vector<std::string_view>& words, std::size_t 
     return std::equal(names.begin(), names.end(), words.begin() + static_cast<std::ptrdiff_t>(k));
   };
   if (matches({"x", "y", "z"}) || matches({"xu", "yu", "zu"})) return "position";
-  for (const std::string name : {"velocity", "spin", "force"}) {
+  for (const char* name : {"velocity", "spin", "force"}) {
     if (matches(column_names(name))) return name;
   }
   if (!words[k].ends_with("_x")) return "";

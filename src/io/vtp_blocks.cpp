@@ -44,7 +44,7 @@ std::string compress_block(std::span<const std::byte> block) {
 }
 
 bool uncompress_block(std::string_view compressed, std::span<std::byte> block) {
-  uLongf size = static_cast<uLongf>(block.size());
+  auto size = static_cast<uLongf>(block.size());
   const int result =
       uncompress(reinterpret_cast<Bytef*>(block.data()), &size,
                  reinterpret_cast<const Bytef*>(compressed.data()), static_cast<uLong>(compressed.size()));

@@ -27,7 +27,7 @@ struct VtpText {
   std::string header, data;
 
   void line(int depth, std::string_view text) {
-    header.append(static_cast<std::size_t>(2 * depth), ' ').append(text).append("\n");
+    header.append(2 * static_cast<std::size_t>(depth), ' ').append(text).append("\n");
   }
 
   template <class Value>

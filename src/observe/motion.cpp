@@ -45,8 +45,8 @@ void describe_free_motion(const Mat3& gradient, Motion& motion) {
     return;
   }
   const Eigen::JacobiSVD<Mat3> svd(gradient, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Mat3 v = svd.matrixV();
-  const Vec3 stretches = svd.singularValues();
+  const Mat3& v = svd.matrixV();
+  const Vec3& stretches = svd.singularValues();
   motion.rotation = svd.matrixU() * v.transpose();
   motion.isotropic_stretch = std::cbrt(stretches.prod());
   const Mat3 log_stretch = v * stretches.array().log().matrix().asDiagonal() * v.transpose();

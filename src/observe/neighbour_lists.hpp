@@ -13,6 +13,7 @@ namespace frit::observe {
 struct Neighbour {
   std::int32_t row;  // of the other particle
   Image image;       // which copy of the other touches this one
+  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm of clang-tidy 14 at a defaulted <=>
   friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
 };
 

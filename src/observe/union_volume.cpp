@@ -30,7 +30,7 @@ Directions spiral_directions() {
   Directions directions;
   const double turn = pi * (3.0 - std::sqrt(5.0));
   for (std::size_t n = 0; n < direction_count; ++n) {
-    const double index = static_cast<double>(n);
+    const auto index = static_cast<double>(n);
     const double z = 1.0 - (2.0 * index + 1.0) / static_cast<double>(direction_count);
     const double ring = std::sqrt(1.0 - z * z);
     directions.x[n] = ring * std::cos(turn * index);

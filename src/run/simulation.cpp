@@ -79,7 +79,7 @@ std::optional<Ending> reached_stop(const config::Stop& stop, double time, double
 }
 
 std::optional<Ending> Simulation::reached_end() const {
-  if (const auto ending = reached_stop(setup_.whole.stop, state_.time, density_)) return ending;
+  if (auto ending = reached_stop(setup_.whole.stop, state_.time, density_)) return ending;
   if (density_ >= full_density * (1.0 - density_tolerance)) {
     return Ending{
         not_computed,
@@ -214,7 +214,7 @@ std::optional<Ending> Simulation::advance() {
     }
     ++totals_.rejected_steps;
     if (control_.is_exhausted() || last_report_.verdict == integrate::Verdict::unstable) return give_up();
-    if (const auto ended = reached_end()) return ended;
+    if (auto ended = reached_end()) return ended;
   }
 }
 
@@ -280,7 +280,7 @@ std::optional<Ending> Simulation::start(std::span<RunListener* const> listeners)
     write_row(listeners);
   }
   watch_.lap(totals_.steps);  // an end takes no longer
-  const std::optional<Ending> ending = reached_end();
+  std::optional<Ending> ending = reached_end();
   if (ending) stop(*ending, listeners);
   return ending;
 }

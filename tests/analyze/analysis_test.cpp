@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "analyze/snapshots.hpp"
 #include "io/frame_files.hpp"
 #include "io/series.hpp"
 #include "io/text.hpp"

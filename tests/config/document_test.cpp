@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "config/toml_reader.hpp"
+#include "config/toml_screen.hpp"
 
 namespace frit::config {
 namespace {
