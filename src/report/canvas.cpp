@@ -110,7 +110,8 @@ void Canvas::image(const Image& image, Point top_left) {
                                       static_cast<std::size_t>(column)];
       const std::uint32_t word =
           static_cast<std::uint32_t>(pixel[0]) << 16 | static_cast<std::uint32_t>(pixel[1]) << 8 | pixel[2];
-      std::memcpy(bytes + static_cast<std::ptrdiff_t>(row) * stride + 4 * column, &word, sizeof word);
+      std::memcpy(bytes + static_cast<std::ptrdiff_t>(row) * stride + std::ptrdiff_t{4} * column, &word,
+                  sizeof word);
     }
   }
   cairo_surface_mark_dirty(picture);

@@ -72,8 +72,9 @@ void write_curve_picture(std::span<const Result> results, const PictureOptions& 
   if (results.size() > 1) draw_names(canvas, results, {2.0 * unit, 5.2 * unit}, unit);
   const double panel_width = width / 3.0, panel_height = (height - head) / 2.0;
   for (std::size_t n = 0; n < panels.size(); ++n) {
-    const Point corner{panel_width * static_cast<double>(n % 3),
-                       head + panel_height * static_cast<double>(n / 3)};
+    const std::size_t column = n % 3, row = n / 3;
+    const Point corner{panel_width * static_cast<double>(column),
+                       head + panel_height * static_cast<double>(row)};
     draw_plot(canvas, plot_of(panels[n], results),
               {corner, {corner.x + panel_width, corner.y + panel_height}}, unit);
   }

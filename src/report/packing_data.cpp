@@ -175,7 +175,7 @@ std::vector<std::size_t> choose_evenly(std::size_t count, std::size_t wanted) {
 PackingData pack_snapshots(const Result& result, const PageLimits& limits) {
   PackingData data;
   if (result.snapshots.empty()) {
-    data.notes.push_back("no 3D view and no distributions: the run wrote no snapshots (output.snapshots)");
+    data.notes.emplace_back("no 3D view and no distributions: the run wrote no snapshots (output.snapshots)");
     return data;
   }
   Survey survey;

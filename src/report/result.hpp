@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/case.hpp"
+#include "io/frame.hpp"
 #include "io/series.hpp"
 
 namespace frit::report {
