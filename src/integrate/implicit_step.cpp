@@ -206,7 +206,8 @@ bool ImplicitStep::solve_pass(const solve::Options& options, solve::Solution sta
 solve::Options ImplicitStep::options(const solve::Problem& problem, std::size_t necks,
                                      double tolerance) const {
   solve::Options options;
-  options.tolerance = std::clamp(harmless_residual(problem, necks), least_tolerance, tolerance);
+  // No std::clamp: a tolerance that is asked for may be below the least.
+  options.tolerance = std::min(std::max(harmless_residual(problem, necks), least_tolerance), tolerance);
   options.abandon = abandon_;
   options.mechanisms_at_rest = settings_.inertia != network::Inertia::dynamic;
   if (settings_.solver == Solver::gauss_seidel) options.largest_linear_iterations = most_sweeps;
