@@ -129,6 +129,12 @@ NeckMotion neck_motion(const State& from, const State& to, std::size_t k) {
   return {separation(from), separation(to)};
 }
 
+bool is_finite(const State& state) {
+  const std::vector<Vec3>& position = state.particles.position;
+  return state.cell.size.allFinite() &&
+         std::all_of(position.begin(), position.end(), [](const Vec3& x) { return x.allFinite(); });
+}
+
 // A neck whose spheres came closer than half their distance, or swapped sides: linear kinematics has no say
 // there.
 bool has_collapsed(const State& from, const State& to) {
@@ -295,7 +301,7 @@ void ImplicitStep::move(const network::StepInput& input, const Passes& passes, S
 }
 
 bool ImplicitStep::has_run_off(const State& from, const State& to) const {
-  if (has_collapsed(from, to)) return true;
+  if (!is_finite(to) || has_collapsed(from, to)) return true;
   const bool is_from_rest = settings_.inertia != network::Inertia::dynamic && !settings_.strain_rate;
   return is_from_rest && mean_turn(from, to) > largest_turn;
 }
