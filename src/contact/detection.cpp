@@ -49,22 +49,7 @@ void append(Contacts& contacts, const Birth& birth, double time) {
 }
 
 void copy_contact(const Contacts& from, std::size_t k, Contacts& to) {
-  const std::size_t n = to.size();
-  to.resize(n + 1);
-  to.i[n] = from.i[k];
-  to.j[n] = from.j[k];
-  to.image[n] = from.image[k];
-  to.neck_radius_squared[n] = from.neck_radius_squared[k];
-  to.overlap[n] = from.overlap[k];
-  to.birth_neck_radius[n] = from.birth_neck_radius[k];
-  to.birth_time[n] = from.birth_time[k];
-  to.equilibrium_force[n] = from.equilibrium_force[k];
-  to.normal_force[n] = from.normal_force[k];
-  to.approach_velocity[n] = from.approach_velocity[k];
-  to.sliding_velocity[n] = from.sliding_velocity[k];
-  to.rolling_path[n] = from.rolling_path[k];
-  to.twisting_path[n] = from.twisting_path[k];
-  to.sliding_path[n] = from.sliding_path[k];
+  Contacts::for_each_array([&](const char*, auto array) { (to.*array).push_back((from.*array)[k]); });
 }
 
 // Neck radius squared of a contact of the packing.

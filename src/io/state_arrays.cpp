@@ -17,8 +17,7 @@ namespace {
 static_assert(sizeof(Vec3) == 24 && sizeof(Quat) == 32 && sizeof(Image) == 3);
 // What is added to a state must be added below.
 constexpr std::size_t array_bytes = sizeof(std::vector<double>);
-static_assert(sizeof(Particles) == 9 * array_bytes && sizeof(Contacts) == 14 * array_bytes &&
-              sizeof(Cracks) == 4 * array_bytes);
+static_assert(sizeof(Particles) == 9 * array_bytes && sizeof(Cracks) == 4 * array_bytes);
 
 // The arrays of a state, each named once for both ways. `visit` gets a name and a vector.
 template <class Part, class Visit>
@@ -36,20 +35,8 @@ void visit_particles(Part& p, const Visit& visit) {
 
 template <class Part, class Visit>
 void visit_contacts(Part& c, const Visit& visit) {
-  visit("contacts.i", c.i);
-  visit("contacts.j", c.j);
-  visit("contacts.image", c.image);
-  visit("contacts.neck_radius_squared", c.neck_radius_squared);
-  visit("contacts.overlap", c.overlap);
-  visit("contacts.birth_neck_radius", c.birth_neck_radius);
-  visit("contacts.birth_time", c.birth_time);
-  visit("contacts.equilibrium_force", c.equilibrium_force);
-  visit("contacts.normal_force", c.normal_force);
-  visit("contacts.approach_velocity", c.approach_velocity);
-  visit("contacts.sliding_velocity", c.sliding_velocity);
-  visit("contacts.rolling_path", c.rolling_path);
-  visit("contacts.twisting_path", c.twisting_path);
-  visit("contacts.sliding_path", c.sliding_path);
+  Contacts::for_each_array(
+      [&](const char* name, auto array) { visit((std::string("contacts.") + name).c_str(), c.*array); });
 }
 
 template <class Part, class Visit>

@@ -43,24 +43,15 @@ std::vector<Renamed> rename(const Pairs& pairs, const std::vector<std::int32_t>&
 Contacts reordered(const Contacts& from, const std::vector<std::int32_t>& new_row) {
   Contacts to;
   to.resize(from.size());
-  std::size_t k = 0;
-  for (const Renamed& pair : rename(from, new_row)) {
-    to.i[k] = pair.i;
-    to.j[k] = pair.j;
-    to.image[k] = pair.image;
-    to.neck_radius_squared[k] = from.neck_radius_squared[pair.from];
-    to.overlap[k] = from.overlap[pair.from];
-    to.birth_neck_radius[k] = from.birth_neck_radius[pair.from];
-    to.birth_time[k] = from.birth_time[pair.from];
-    to.equilibrium_force[k] = from.equilibrium_force[pair.from];
-    to.normal_force[k] = from.normal_force[pair.from];
-    to.approach_velocity[k] = from.approach_velocity[pair.from];
-    const Vec3& sliding = from.sliding_velocity[pair.from];
-    to.sliding_velocity[k] = pair.swapped ? Vec3(-sliding) : sliding;
-    to.rolling_path[k] = from.rolling_path[pair.from];
-    to.twisting_path[k] = from.twisting_path[pair.from];
-    to.sliding_path[k] = from.sliding_path[pair.from];
-    ++k;
+  const std::vector<Renamed> order = rename(from, new_row);
+  Contacts::for_each_array([&](const char*, auto array) {
+    for (std::size_t k = 0; k < order.size(); ++k) (to.*array)[k] = (from.*array)[order[k].from];
+  });
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    to.i[k] = order[k].i;
+    to.j[k] = order[k].j;
+    to.image[k] = order[k].image;
+    if (order[k].swapped) to.sliding_velocity[k] = -to.sliding_velocity[k];
   }
   return to;
 }

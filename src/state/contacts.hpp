@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "core/vec.hpp"
@@ -26,39 +27,42 @@ struct Contacts {
   std::vector<double> sliding_path;   // [m], since birth: integral of the sliding speed
 
   std::size_t size() const { return i.size(); }
+
+  // visit(name, pointer to the array) for all of the above; what treats them alike names none of them.
+  template <class Visit>
+  static void for_each_array(const Visit& visit) {
+    visit("i", &Contacts::i);
+    visit("j", &Contacts::j);
+    visit("image", &Contacts::image);
+    visit("neck_radius_squared", &Contacts::neck_radius_squared);
+    visit("overlap", &Contacts::overlap);
+    visit("birth_neck_radius", &Contacts::birth_neck_radius);
+    visit("birth_time", &Contacts::birth_time);
+    visit("equilibrium_force", &Contacts::equilibrium_force);
+    visit("normal_force", &Contacts::normal_force);
+    visit("approach_velocity", &Contacts::approach_velocity);
+    visit("sliding_velocity", &Contacts::sliding_velocity);
+    visit("rolling_path", &Contacts::rolling_path);
+    visit("twisting_path", &Contacts::twisting_path);
+    visit("sliding_path", &Contacts::sliding_path);
+  }
+
+  // New contacts are all zeros.
   void resize(std::size_t count) {
-    i.resize(count);
-    j.resize(count);
-    image.resize(count);
-    neck_radius_squared.resize(count);
-    overlap.resize(count);
-    birth_neck_radius.resize(count);
-    birth_time.resize(count);
-    equilibrium_force.resize(count);
-    normal_force.resize(count);
-    approach_velocity.resize(count);
-    sliding_velocity.resize(count, Vec3::Zero());
-    rolling_path.resize(count);
-    twisting_path.resize(count);
-    sliding_path.resize(count);
+    for_each_array([&](const char*, auto array) {
+      using Value = typename std::remove_reference_t<decltype(this->*array)>::value_type;
+      if constexpr (std::is_same_v<Value, Vec3>) {
+        (this->*array).resize(count, Vec3::Zero());
+      } else {
+        (this->*array).resize(count);
+      }
+    });
   }
   void reserve(std::size_t count) {
-    i.reserve(count);
-    j.reserve(count);
-    image.reserve(count);
-    neck_radius_squared.reserve(count);
-    overlap.reserve(count);
-    birth_neck_radius.reserve(count);
-    birth_time.reserve(count);
-    equilibrium_force.reserve(count);
-    normal_force.reserve(count);
-    approach_velocity.reserve(count);
-    sliding_velocity.reserve(count);
-    rolling_path.reserve(count);
-    twisting_path.reserve(count);
-    sliding_path.reserve(count);
+    for_each_array([&](const char*, auto array) { (this->*array).reserve(count); });
   }
 };
+static_assert(sizeof(Contacts) == 14 * sizeof(std::vector<double>), "for_each_array names all of them");
 
 // Faces that overlap without a neck between them (a broken neck): touch again at overlap_when_parted.
 struct Cracks {
