@@ -188,12 +188,14 @@ double harmless_residual(const solve::Problem& problem, std::size_t necks) {
 struct ImplicitStep::Passes {
   solve::Problem problem;
   solve::Solution estimate, solution;  // result of the first pass, of the second
+  double tolerance = 0.0;              // of the last pass
 };
 
 bool ImplicitStep::solve_pass(const solve::Options& options, solve::Solution start, Passes& passes,
                               StepReport& report) {
   Stopwatch watch;
   passes.solution = start;
+  passes.tolerance = options.tolerance;
   const solve::Report solved = settings_.solver == Solver::gauss_seidel
                                    ? solve::solve_gauss_seidel(passes.problem, options, passes.solution)
                                    : solve::solve_newton(passes.problem, options, passes.solution);
@@ -320,9 +322,7 @@ void ImplicitStep::judge_error(const State& from, StepReport& report) const {
 
 void ImplicitStep::check_work(const network::StepInput& input, const Passes& passes, StepReport& report) {
   report.work = work_of(input, passes.problem, passes.solution);
-  const double tolerance =
-      options(passes.problem, input.state.contacts.size(), settings_.tolerance).tolerance;
-  if (is_consistent(report.work, input, passes.problem, passes.solution, tolerance)) return;
+  if (is_consistent(report.work, input, passes.problem, passes.solution, passes.tolerance)) return;
   report.verdict = Verdict::inconsistent;
   failed_ = FailedSolve{passes.problem, passes.solution};
 }
