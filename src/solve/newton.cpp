@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/parallel.hpp"
@@ -31,10 +32,20 @@ std::vector<double> stiff_penalties(const Problem& problem, const Options& optio
   return penalty;
 }
 
+bool has_rigid_stops(const Problem& problem) {
+  return std::any_of(problem.edges.begin(), problem.edges.end(),
+                     [](const Edge& edge) { return std::isinf(edge.response.limit); });
+}
+
 double largest_factor(const Problem& problem, const Options& options) {
-  const bool has_rigid_stops = std::any_of(problem.edges.begin(), problem.edges.end(),
-                                           [](const Edge& edge) { return std::isinf(edge.response.limit); });
-  return has_rigid_stops || !options.soft_limits ? options.penalty_factor : 1.0;
+  return has_rigid_stops(problem) || !options.soft_limits ? options.penalty_factor : 1.0;
+}
+
+// Whether stiff penalties instead of soft ones would make another iteration of it.
+bool is_softened(const Problem& problem, const Options& options) {
+  const bool has_limited = std::any_of(problem.edges.begin(), problem.edges.end(),
+                                       [](const Edge& edge) { return edge.response.limit > 0.0; });
+  return options.soft_limits && has_limited && !has_rigid_stops(problem);
 }
 
 class NewtonSolve {
@@ -345,18 +356,19 @@ Report solve_with_falling_inertia(const Problem& problem, const Options& options
 }  // namespace
 
 Report solve_newton(const Problem& problem, const Options& options, Solution& solution) {
-  const Solution start = solution;
+  const bool may_stiffen = is_softened(problem, options);
+  Solution start;
+  if (may_stiffen) start = solution;
   Report before;
   const bool rests = options.settles_mechanisms || options.mechanisms_at_rest;
   if (rests && is_central(problem)) before = solve_with_falling_inertia(problem, options, solution);
   Report report = NewtonSolve(problem, options, solution).run();
   add_cost(before, report);
-  if (report.converged || report.abandoned || !options.soft_limits || largest_factor(problem, options) > 1.0)
-    return report;
+  if (report.converged || report.abandoned || !may_stiffen) return report;
   // Where nothing but soft multipliers resists (a long chain in a huge step) iterations may go to and fro.
   Options stiff = options;
   stiff.soft_limits = false;
-  solution = start;
+  solution = std::move(start);
   Report again = solve_newton(problem, stiff, solution);
   add_cost(report, again);
   return again;
