@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "integrate/implicit_step.hpp"
+#include "integrate/verlet_step.hpp"
 #include "network/samples.hpp"
 
 namespace frit::integrate::testing {
@@ -30,6 +31,14 @@ inline StepSettings exact_settings() {
   settings.law = copper;
   settings.error_controls_step = false;
   settings.tolerance = 1e-11;
+  return settings;
+}
+
+// Explicit steps of copper with `factor` times its density.
+inline VerletSettings light_settings(double factor = 1e12) {
+  VerletSettings settings;
+  settings.law = copper;
+  settings.density_factor = factor;
   return settings;
 }
 

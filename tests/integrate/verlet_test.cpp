@@ -6,19 +6,11 @@
 #include "contact/smooth_response.hpp"
 #include "core/parallel.hpp"
 #include "integrate/samples.hpp"
-#include "integrate/verlet_step.hpp"
 
 namespace frit::integrate {
 namespace {
 
 using namespace testing;
-
-VerletSettings light_settings(double factor = 1e12) {
-  VerletSettings settings;
-  settings.law = copper;
-  settings.density_factor = factor;
-  return settings;
-}
 
 struct Course {
   State end;

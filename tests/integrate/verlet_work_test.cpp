@@ -2,19 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "integrate/samples.hpp"
-#include "integrate/verlet_step.hpp"
 
 namespace frit::integrate {
 namespace {
 
 using namespace testing;
-
-VerletSettings settings_with(double factor) {
-  VerletSettings settings;
-  settings.law = copper;
-  settings.density_factor = factor;
-  return settings;
-}
 
 struct Worked {
   State state;
@@ -38,7 +30,7 @@ double pull() { return contact::attraction_force(copper, {R, R}, 0.0); }
 
 TEST(VerletWork, TwoFreeSpheresDissipateTheirSurfaceByApproach) {
   const State start = two_spheres({.neck_ratio = 0.2});
-  const Worked end = work(start, settings_with(1e12), time_of(1e-5));
+  const Worked end = work(start, light_settings(1e12), time_of(1e-5));
   const double approach =
       (end.state.contacts.neck_radius_squared[0] - start.contacts.neck_radius_squared[0]) / (2.0 * R);
   EXPECT_NEAR(end.work.released / (pull() * approach), 1.0, 1e-3);
@@ -52,7 +44,7 @@ TEST(VerletWork, ALoadAddsItsOwn) {
   const double load = 0.4 * pull();
   start.particles.force[0] = {load, 0.0, 0.0};
   start.particles.force[1] = {-load, 0.0, 0.0};
-  const Worked end = work(start, settings_with(1e12), time_of(1e-5));
+  const Worked end = work(start, light_settings(1e12), time_of(1e-5));
   const double approach =
       (end.state.contacts.neck_radius_squared[0] - start.contacts.neck_radius_squared[0]) / (2.0 * R);
   EXPECT_NEAR(end.work.load / (load * approach), 1.0, 1e-3);
@@ -64,7 +56,7 @@ TEST(VerletWork, KineticIsTheChangeOfTheStates) {
   State start = two_spheres({.neck_ratio = 0.3});
   start.particles.velocity[0] = {1e-3 * R, 0.0, 0.0};
   const double factor = 1e12;
-  const Worked end = work(start, settings_with(factor), 1e-2);
+  const Worked end = work(start, light_settings(factor), 1e-2);
   const auto energy = [&](const State& state) {
     double sum = 0.0;
     for (std::size_t n = 0; n < 2; ++n) {
@@ -81,7 +73,7 @@ struct Packing {
   VerletSettings settings;
 };
 Packing packing_of(int kind) {
-  VerletSettings settings = settings_with(1e14);
+  VerletSettings settings = light_settings(1e14);
   settings.law.sliding_resistance = 0.05;
   settings.law.neck_bending = kind == 1;
   if (kind == 1) settings.stress = Vec3(-2e5, 1e5, -1e6);
