@@ -15,7 +15,8 @@ import pathlib
 import re
 import subprocess
 import sys
-import tempfile
+
+import sown_faults
 
 STANDARD = {  # header: the names in std that need it
     "algorithm": "adjacent_find all_of any_of binary_search clamp copy copy_if copy_n count count_if equal fill fill_n find find_if "
@@ -163,24 +164,6 @@ SELF_TESTS = [  # files, the fault expected (None: none)
 ]
 
 
-def self_test():
-    """Number of self-tests that fail."""
-    failed = 0
-    for files, expected in SELF_TESTS:
-        with tempfile.TemporaryDirectory() as folder:
-            for name, text in files.items():
-                path = pathlib.Path(folder, name)
-                path.parent.mkdir(exist_ok=True)
-                path.write_text(text)
-            faults = check(pathlib.Path(folder))
-        good = not faults if expected is None else len(faults) == 1 and expected in faults[0]
-        if not good:
-            failed += 1
-            print(f"self-test: {files}: expected {expected!r}, found {faults}")
-    print(f"check_includes: {len(SELF_TESTS) - failed} of {len(SELF_TESTS)} self-tests passed")
-    return failed
-
-
 def compile_alone(source, build):
     """Headers that no source of their name compiles first: what the compiler says of those that do not compile alone."""
     entries = json.loads((build / "compile_commands.json").read_text())
@@ -202,7 +185,7 @@ def main():
     parser.add_argument("--alone", metavar="BUILD", type=pathlib.Path, help="compile headers with the flags of this build folder")
     arguments = parser.parse_args()
     if arguments.self_test:
-        return 1 if self_test() else 0
+        return 1 if sown_faults.count_failures("check_includes", check, SELF_TESTS) else 0
     source = pathlib.Path(__file__).resolve().parent.parent / "src"
     faults = compile_alone(source, arguments.alone) if arguments.alone else check(source)
     print("\n".join(faults) if faults else "check_includes: every include is needed, none is missing")

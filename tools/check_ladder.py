@@ -8,7 +8,8 @@ import argparse
 import pathlib
 import re
 import sys
-import tempfile
+
+import sown_faults
 
 LADDER = [["core"], ["state", "solve"], ["neighbor"], ["contact"], ["network"], ["integrate", "observe"],
           ["generate", "io", "config"], ["run"], ["report", "analyze"], ["app", "python"]]
@@ -118,30 +119,12 @@ SELF_TESTS = [  # what is written, the fault expected (None: none)
 ]
 
 
-def self_test():
-    """Number of self-tests that fail."""
-    failed = 0
-    for files, expected in SELF_TESTS:
-        with tempfile.TemporaryDirectory() as folder:
-            for name, text in files.items():
-                path = pathlib.Path(folder, name)
-                path.parent.mkdir(exist_ok=True)
-                path.write_text(text)
-            faults = check(pathlib.Path(folder))
-        good = not faults if expected is None else len(faults) == 1 and expected in faults[0]
-        if not good:
-            failed += 1
-            print(f"self-test: {files}: expected {expected!r}, found {faults}")
-    print(f"check_ladder: {len(SELF_TESTS) - failed} of {len(SELF_TESTS)} self-tests passed")
-    return failed
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--self-test", action="store_true", help="check the checker")
     arguments = parser.parse_args()
     if arguments.self_test:
-        return 1 if self_test() else 0
+        return 1 if sown_faults.count_failures("check_ladder", check, SELF_TESTS) else 0
     faults = check(pathlib.Path(__file__).resolve().parent.parent / "src")
     print("\n".join(faults) if faults else "check_ladder: every include and link goes down the ladder")
     return 1 if faults else 0
