@@ -1,6 +1,8 @@
 // The program `frit`: reads the command line, runs a subcommand, turns what went wrong into an exit code.
 #include <fmt/core.h>
 
+#include <malloc.h>
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -55,9 +57,20 @@ int run_command(CLI::App& app, int argc, char** argv, frit::app::Command& chosen
   return chosen();
 }
 
+// Every step takes arrays of hundreds of megabytes and gives them back. Without this the system would take
+// the pages and clear new ones each time: an eighth of the time of a million spheres.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  constexpr int largest_kept = 1 << 30;
+  mallopt(M_MMAP_THRESHOLD, largest_kept);
+  mallopt(M_TRIM_THRESHOLD, largest_kept);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_freed_memory();
   // A full disk or a closed pipe is told as an error of that write, not by ending the program.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);

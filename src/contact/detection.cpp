@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "contact/neck_history.hpp"
 #include "core/parallel.hpp"
@@ -36,9 +40,7 @@ struct Birth {
   double radius_at_birth;
 };
 
-void append(Contacts& contacts, const Birth& birth, double time) {
-  const std::size_t k = contacts.size();
-  contacts.resize(k + 1);
+void put(const Birth& birth, double time, std::size_t k, Contacts& contacts) {
   contacts.i[k] = birth.pair.i;
   contacts.j[k] = birth.pair.j;
   contacts.image[k] = birth.pair.image;
@@ -48,8 +50,28 @@ void append(Contacts& contacts, const Birth& birth, double time) {
   contacts.birth_time[k] = time;
 }
 
-void copy_contact(const Contacts& from, std::size_t k, Contacts& to) {
-  Contacts::for_each_array([&](const char*, auto array) { (to.*array).push_back((from.*array)[k]); });
+void append(Contacts& contacts, const Birth& birth, double time) {
+  contacts.resize(contacts.size() + 1);
+  put(birth, time, contacts.size() - 1, contacts);
+}
+
+constexpr std::uint32_t newborn = std::numeric_limits<std::uint32_t>::max();
+
+// Contact k becomes what contact from[k] was, or all zeros if newborn: array by array, so that no second copy
+// of all of them is needed.
+void rearrange(Contacts& contacts, const std::vector<std::uint32_t>& from) {
+  Contacts::for_each_array([&](const char*, auto array) {
+    auto& old = contacts.*array;
+    using Array = std::remove_reference_t<decltype(old)>;
+    using Value = typename Array::value_type;
+    Value zero{};
+    if constexpr (std::is_same_v<Value, Vec3>) zero = Vec3::Zero();
+    Array moved(from.size(), zero);
+    parallel_for(from.size(), [&](std::size_t k) {
+      if (from[k] != newborn) moved[k] = old[from[k]];
+    });
+    old = std::move(moved);
+  });
 }
 
 // Neck radius squared of a contact of the packing.
@@ -90,17 +112,21 @@ double least_pressed(const SinteringLaw& law, const Prospect& prospect, const Pa
 
 void merge_births(Contacts& contacts, std::vector<Birth>& births, double time) {
   if (births.empty()) return;
-  Contacts merged;
-  merged.reserve(contacts.size() + births.size());
-  std::size_t next = 0;
+  std::vector<std::uint32_t> from;
+  std::vector<std::size_t> place;  // of every birth
+  from.reserve(contacts.size() + births.size());
+  const auto add_birth = [&] {
+    place.push_back(from.size());
+    from.push_back(newborn);
+  };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    while (next < births.size() && before(births[next].pair, pair_at(contacts, k))) {
-      append(merged, births[next++], time);
-    }
-    copy_contact(contacts, k, merged);
+    while (place.size() < births.size() && before(births[place.size()].pair, pair_at(contacts, k)))
+      add_birth();
+    from.push_back(static_cast<std::uint32_t>(k));
   }
-  while (next < births.size()) append(merged, births[next++], time);
-  contacts = std::move(merged);
+  while (place.size() < births.size()) add_birth();
+  rearrange(contacts, from);
+  for (std::size_t n = 0; n < births.size(); ++n) put(births[n], time, place[n], contacts);
 }
 
 bool is_before(const Birth& birth, const Pair& pair) { return before(birth.pair, pair); }
@@ -136,16 +162,16 @@ std::vector<Birth> grow_and_break(State& state, const SinteringLaw& law) {
   });
   std::vector<Birth> parted;
   if (std::none_of(broken.begin(), broken.end(), [](std::uint8_t b) { return b != 0; })) return parted;
-  Contacts whole;
+  std::vector<std::uint32_t> whole;
   whole.reserve(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     if (broken[k] == 0) {
-      copy_contact(contacts, k, whole);
+      whole.push_back(static_cast<std::uint32_t>(k));
     } else {
       parted.push_back({pair_at(contacts, k), 0.0, contacts.overlap[k], 0.0});
     }
   }
-  contacts = std::move(whole);
+  rearrange(contacts, whole);
   return parted;
 }
 

@@ -49,15 +49,15 @@ void predict(const network::StepInput& input, solve::Solution& start) {
   const double dt = std::min(input.conditions.duration, state.last_step), length = input.scale.length;
   const std::size_t count = state.particles.size();
   const bool has_axes = state.cell.periodic || input.conditions.freedom == network::Freedom::affine;
-  for (std::size_t n = 0; n < count; ++n) {
-    if (state.particles.fixed[n] != 0 || input.conditions.freedom == network::Freedom::affine) continue;
+  parallel_for(count, [&](std::size_t n) {
+    if (state.particles.fixed[n] != 0 || input.conditions.freedom == network::Freedom::affine) return;
     Vec3 own = state.particles.velocity[n];
     if (has_axes) own -= state.cell_rate.cwiseProduct(state.particles.position[n]);
     Eigen::Map<Vec3>(start.motion.data() + 6 * n) = own * dt / length;
     if (!input.conditions.spins_blocked) {
       Eigen::Map<Vec3>(start.motion.data() + 6 * n + 3) = state.particles.spin[n] * dt;
     }
-  }
+  });
   for (int axis = 0; has_axes && axis < 3; ++axis) {
     if (!input.conditions.axis_prescribed[axis]) start.motion[6 * count + axis] = state.cell_rate[axis] * dt;
   }
@@ -74,16 +74,25 @@ std::vector<double> approaches(const network::StepInput& input, const solve::Pro
   return approach;
 }
 
-double mean_magnitude(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += std::abs(value);
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+// Of value(n) over `count` places.
+template <class Value>
+double mean_magnitude(std::size_t count, const Value& value) {
+  const double total = ordered_sum(count, 0.0, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t n = begin; n < end; ++n) sum += std::abs(value(n));
+    return sum;
+  });
+  return count == 0 ? 0.0 : total / static_cast<double>(count);
 }
 
-double mean_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> difference(a.size());
-  for (std::size_t n = 0; n < a.size(); ++n) difference[n] = a[n] - b[n];
-  return mean_magnitude(difference);
+// Whether test(n) holds anywhere below `count`.
+template <class Test>
+bool holds_for_any(std::size_t count, const Test& test) {
+  return ordered_sum(count, 0, [&](std::size_t begin, std::size_t end) {
+           std::size_t n = begin;
+           while (n < end && !test(n)) ++n;
+           return n < end ? 1 : 0;
+         }) > 0;
 }
 
 network::Conditions conditions_of(const StepSettings& settings, const Furnace& furnace, double begin,
@@ -132,17 +141,16 @@ NeckMotion neck_motion(const State& from, const State& to, std::size_t k) {
 bool is_finite(const State& state) {
   const std::vector<Vec3>& position = state.particles.position;
   return state.cell.size.allFinite() &&
-         std::all_of(position.begin(), position.end(), [](const Vec3& x) { return x.allFinite(); });
+         !holds_for_any(position.size(), [&](std::size_t n) { return !position[n].allFinite(); });
 }
 
 // A neck whose spheres came closer than half their distance, or swapped sides: linear kinematics has no say
 // there.
 bool has_collapsed(const State& from, const State& to) {
-  for (std::size_t k = 0; k < from.contacts.size(); ++k) {
+  return holds_for_any(from.contacts.size(), [&](std::size_t k) {
     const auto [before, after] = neck_motion(from, to, k);
-    if (after.dot(before) < 0.5 * before.squaredNorm()) return true;
-  }
-  return false;
+    return after.dot(before) < 0.5 * before.squaredNorm();
+  });
 }
 
 // Root mean square angle [rad] by which necks turned.
@@ -175,11 +183,17 @@ double final_resistance(const solve::NormalResponse& r) {
 // creeps by whatever the solver leaves.
 double harmless_residual(const solve::Problem& problem, std::size_t necks) {
   constexpr double negligible_creep = 0.01;  // per radius
+  std::vector<double> least_of((necks + block_size - 1) / block_size,
+                               std::numeric_limits<double>::infinity());
+  parallel_blocks(necks, [&](std::size_t begin, std::size_t end) {
+    double& least = least_of[begin / block_size];
+    for (std::size_t k = begin; k < end; ++k) {
+      const solve::Edge& edge = problem.edges[k];
+      least = std::min(least, std::min(edge.arm_i, edge.arm_j) * final_resistance(edge.response));
+    }
+  });
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < necks; ++k) {
-    const solve::Edge& edge = problem.edges[k];
-    least = std::min(least, std::min(edge.arm_i, edge.arm_j) * final_resistance(edge.response));
-  }
+  for (const double value : least_of) least = std::min(least, value);
   return negligible_creep * least * std::sqrt(static_cast<double>(problem.bodies())) / problem.force_unit;
 }
 
@@ -254,16 +268,19 @@ bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, S
   if (!solve_first(input, passes, report)) return false;
   const std::vector<double> first = approaches(input, passes.problem, passes.solution);
   report.verdict = Verdict::moved_too_far;
-  for (std::size_t k = 0; k < first.size(); ++k) {
+  const auto is_too_far = [&](std::size_t k) {
     const solve::Edge& edge = passes.problem.edges[k];
-    if (std::abs(first[k]) > 0.5 * (edge.arm_i + edge.arm_j)) return false;
-  }
+    return std::abs(first[k]) > 0.5 * (edge.arm_i + edge.arm_j);
+  };
+  if (holds_for_any(first.size(), is_too_far)) return false;
   report.verdict = Verdict::not_solved;
   passes.estimate = passes.solution;
   if (!solve_second(input, passes.estimate, passes, report)) return false;
   const std::vector<double> second = approaches(input, passes.problem, passes.solution);
-  report.progress = mean_magnitude(second);
-  const double difference = mean_difference(first, second) / std::max(report.progress, least_progress);
+  report.progress = mean_magnitude(second.size(), [&](std::size_t k) { return second[k]; });
+  const double difference =
+      mean_magnitude(second.size(), [&](std::size_t k) { return first[k] - second[k]; }) /
+      std::max(report.progress, least_progress);
   report.error = error_per_squared_difference * difference * difference;
   return true;
 }
@@ -271,14 +288,14 @@ bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, S
 void ImplicitStep::move(const network::StepInput& input, const Passes& passes, State& to) const {
   const double dt = input.conditions.duration;
   const std::size_t count = to.particles.size();
-  for (std::size_t n = 0; n < count; ++n) {
+  parallel_for(count, [&](std::size_t n) {
     const Vec3 moved = network::displacement(input, passes.solution, n);
     const Vec3 turned = ConstVec(passes.solution.motion.data() + 6 * n + 3);
     to.particles.position[n] += moved;
     to.particles.velocity[n] = moved / dt;
     to.particles.spin[n] = turned / dt;
     to.particles.orientation[n] = cayley(turned) * to.particles.orientation[n];
-  }
+  });
   if (passes.problem.has_axes) {
     const Vec3 gradient = ConstVec(passes.solution.motion.data() + 6 * count);
     if (to.cell.periodic) to.cell.size += gradient.cwiseProduct(to.cell.size);

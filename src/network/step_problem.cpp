@@ -126,7 +126,7 @@ class Builder {
     problem_.held.assign(count, 0);
     problem_.position.resize(count);
     const double length = in_.scale.length, force = in_.scale.force, dt = in_.conditions.duration;
-    for (std::size_t n = 0; n < count; ++n) {
+    parallel_for(count, [&](std::size_t n) {
       problem_.held[n] = held(p, n);
       problem_.position[n] = p.position[n] / length;
       problem_.load[n] = p.force[n] / force;
@@ -135,12 +135,12 @@ class Builder {
                              ? vanishing_mass * gyration * gyration * gyration
                              : p.mass[n] / (dt * dt) * length / force;
       problem_.moment[n] = 0.4 * gyration * gyration * problem_.mass[n];
-      if (in_.conditions.inertia != Inertia::dynamic) continue;
+      if (in_.conditions.inertia != Inertia::dynamic) return;
       const Vec3 affine = in_.state.cell_rate.cwiseProduct(p.position[n]);
       const Vec3 own = in_.state.cell.periodic ? Vec3(p.velocity[n] - affine) : p.velocity[n];
       problem_.load[n] += problem_.mass[n] * own * dt / length;
       problem_.torque[n] += problem_.moment[n] * p.spin[n] * dt;
-    }
+    });
   }
 
   std::uint8_t held(const Particles& p, std::size_t n) const {
@@ -193,8 +193,14 @@ class Builder {
   }
 
   double driving_force() const {
-    double squares = 0.0;
-    for (const solve::Edge& edge : problem_.edges) squares += 2.0 * edge.response.pull * edge.response.pull;
+    double squares = ordered_sum(problem_.edges.size(), 0.0, [&](std::size_t begin, std::size_t end) {
+      double sum = 0.0;
+      for (std::size_t k = begin; k < end; ++k) {
+        const double pull = problem_.edges[k].response.pull;
+        sum += 2.0 * pull * pull;
+      }
+      return sum;
+    });
     for (const Vec3& load : problem_.load) squares += load.squaredNorm();
     return squares > 0.0 ? std::sqrt(squares) : 1.0;
   }

@@ -58,7 +58,9 @@ class Assembly {
     const Jacobian by_j = motion_at_contact(-1.0, clusters_.place(j) - double(edge.arm_j) * normal);
     if (ends != Ends::second && i_moves) add_diagonal(clusters_.of(i), by_i, stiffness, bending);
     if (ends != Ends::first && j_moves) add_diagonal(clusters_.of(j), by_j, stiffness, bending);
-    if (ends != Ends::second && i_moves && j_moves) {
+    // Between two blocks: added in the one of the first cluster, as a link belongs to one block.
+    const Ends adding = clusters_.of(i) < clusters_.of(j) ? Ends::first : Ends::second;
+    if ((ends == Ends::both || ends == adding) && i_moves && j_moves) {
       Block across = by_i.transpose() * stiffness * by_j;
       across.bottomRightCorner<3, 3>() -= bending;
       add_coupling(clusters_.of(i), clusters_.of(j), across);
@@ -96,22 +98,26 @@ Clusters::Clusters(const Problem& problem, std::size_t size)
       solver_(6, centre_, table_.links()) {}
 
 template <class Real>
-CoarseLevel<Real>::CoarseLevel(Clusters& clusters, const TangentOperator<Real>& matrix)
+CoarseLevel<Real>::CoarseLevel(Clusters& clusters)
     : clusters_(clusters),
-      place_(matrix.problem().bodies()),
+      place_(clusters.bodies()),
       force_(6 * clusters.count()),
       motion_(6 * clusters.count()) {
-  const std::size_t bodies = matrix.problem().bodies();
-  std::vector<double> diagonal(36 * clusters.count(), 0.0);
-  std::vector<double> coupling(36 * clusters.table().links().size(), 0.0);
-  Assembly<Real> assembly(clusters, diagonal, coupling);
-  for (std::size_t block = 0; block * block_size < bodies; ++block) {
+  parallel_for(place_.size(), [&](std::size_t n) { place_[n] = lanes<Real>(clusters.place(n)); });
+}
+
+template <class Real>
+void CoarseLevel<Real>::factor(const TangentOperator<Real>& matrix) {
+  std::vector<double> diagonal(36 * clusters_.count(), 0.0);
+  std::vector<double> coupling(36 * clusters_.table().links().size(), 0.0);
+  Assembly<Real> assembly(clusters_, diagonal, coupling);
+  parallel_blocks(place_.size(), [&](std::size_t begin, std::size_t) {
     for (const Ends ends : all_ends) {
-      for (const TangentEdge<Real>& edge : matrix.edges_of(block, ends)) assembly.add(edge, ends);
+      for (const TangentEdge<Real>& edge : matrix.edges_of(begin / block_size, ends))
+        assembly.add(edge, ends);
     }
-  }
-  clusters.solver().factor({diagonal, coupling});
-  parallel_for(bodies, [&](std::size_t n) { place_[n].u = lanes<Real>(clusters.place(n)); });
+  });
+  clusters_.solver().factor({diagonal, coupling});
 }
 
 template <class Real>
@@ -120,7 +126,7 @@ void CoarseLevel<Real>::restrict(std::span<const Motion<Real>> r, std::size_t be
   for (std::size_t n = begin; n < end; ++n) {
     if (!clusters_.moves(n)) continue;
     force += r[n].u;
-    moment += r[n].w + cross(place_[n].u, r[n].u);
+    moment += r[n].w + cross(place_[n], r[n].u);
   }
   double* own = force_.data() + 6 * clusters_.of(begin);
   for (int axis = 0; axis < 3; ++axis) {
@@ -141,7 +147,7 @@ double CoarseLevel<Real>::add(std::span<const Motion<Real>> r, std::span<Motion<
     if (!clusters_.moves(n)) return;
     const double* own = motion_.data() + 6 * clusters_.of(n);
     const Lanes<Real> turn = lanes<Real>(Vec3(own[3], own[4], own[5]));
-    z[n].u += lanes<Real>(Vec3(own[0], own[1], own[2])) + cross(turn, place_[n].u);
+    z[n].u += lanes<Real>(Vec3(own[0], own[1], own[2])) + cross(turn, place_[n]);
     z[n].w += turn;
   });
   double sum = 0.0;

@@ -21,6 +21,7 @@ class Clusters {
 
   std::size_t count() const { return centre_.size(); }
   std::size_t size() const { return size_; }
+  std::size_t bodies() const { return problem_.bodies(); }
   std::size_t of(std::size_t body) const { return body / size_; }
   // Place of a body relative to the centre of its cluster.
   Vec3 place(std::size_t body) const { return problem_.position[body] - centre_[of(body)]; }
@@ -40,8 +41,10 @@ class Clusters {
 template <class Real>
 class CoarseLevel : public Correction<Real> {
  public:
-  // Forms and factors the coarse matrix of an operator.
-  CoarseLevel(Clusters& clusters, const TangentOperator<Real>& matrix);
+  explicit CoarseLevel(Clusters& clusters);
+
+  // Forms and factors the coarse matrix of an operator; serves those that have not changed much, too.
+  void factor(const TangentOperator<Real>& matrix);
 
   double add(std::span<const Motion<Real>> r, std::span<Motion<Real>> z) override;
 
@@ -49,7 +52,7 @@ class CoarseLevel : public Correction<Real> {
   void restrict(std::span<const Motion<Real>> r, std::size_t begin, std::size_t end);
 
   Clusters& clusters_;
-  std::vector<Motion<Real>> place_;  // u: relative to the centre of the cluster
+  std::vector<Lanes<Real>> place_;  // of a body, relative to the centre of its cluster
   std::vector<double> force_, motion_;
 };
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/parallel.hpp"
+#include "solve/incidence.hpp"
 #include "solve/response.hpp"
 
 namespace frit::solve {
@@ -30,10 +31,7 @@ double secant_stiffness(const NormalResponse& r) {
 
 Gradient::Gradient(const Problem& problem)
     : problem_(problem),
-      blocks_(problem.bodies(), problem.edges.size(),
-              [&](std::size_t k) {
-                return std::array{problem.edges[k].i, problem.edges[k].j};
-              }),
+      blocks_(blocks_of(problem)),
       values_(problem.unknowns()),
       approach_(problem.edges.size()),
       multiplier_(problem.edges.size()),
@@ -132,25 +130,28 @@ Residual judge(const Problem& problem, const Solution& solution) {
 std::vector<double> reference_penalty(const Problem& problem, double factor) {
   std::vector<double> stiffness(problem.bodies(), 0.0);
   double sum = 0.0, count = 0.0, heaviest = 0.0;
-  for (const Edge& edge : problem.edges) {
-    const double secant = secant_stiffness(edge.response);
+  std::vector<double> penalty(problem.edges.size());
+  parallel_for(penalty.size(),
+               [&](std::size_t k) { penalty[k] = secant_stiffness(problem.edges[k].response); });
+  for (std::size_t k = 0; k < penalty.size(); ++k) {
+    const double secant = penalty[k];
     if (secant == 0.0) continue;
     sum += secant;
     count += 1.0;
-    for (const std::int32_t body : {edge.i, edge.j}) {
+    for (const std::int32_t body : {problem.edges[k].i, problem.edges[k].j}) {
       stiffness[static_cast<std::size_t>(body)] = std::max(stiffness[static_cast<std::size_t>(body)], secant);
     }
   }
   for (const double mass : problem.mass) heaviest = std::max(heaviest, mass);
   // Without any neck the driving force must not move bodies through each other by more than a hundredth.
   const double floor = count > 0.0 ? 1e-2 * sum / count : std::max(heaviest, 100.0 * problem.force_unit);
-  std::vector<double> penalty(problem.edges.size(), 0.0);
-  for (std::size_t k = 0; k < penalty.size(); ++k) {
+  parallel_for(penalty.size(), [&](std::size_t k) {
     const Edge& edge = problem.edges[k];
-    if (edge.response.limit == 0.0) continue;
-    penalty[k] = factor * std::max({floor, stiffness[static_cast<std::size_t>(edge.i)],
-                                    stiffness[static_cast<std::size_t>(edge.j)]});
-  }
+    penalty[k] = edge.response.limit == 0.0
+                     ? 0.0
+                     : factor * std::max({floor, stiffness[static_cast<std::size_t>(edge.i)],
+                                          stiffness[static_cast<std::size_t>(edge.j)]});
+  });
   return penalty;
 }
 

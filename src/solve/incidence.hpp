@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "solve/edge_blocks.hpp"
 #include "solve/problem.hpp"
 
 namespace frit::solve {
@@ -24,6 +25,8 @@ class Incidence {
  public:
   // ends[k] = {body i, body j} of edge k; entries of a body are in edge order.
   Incidence(std::size_t bodies, std::span<const std::array<std::int32_t, 2>> ends);
+  // The same in parallel; entries of a body are in the order of its block's lists.
+  Incidence(const Problem& problem, const EdgeBlocks& blocks);
 
   std::span<const Incident> at(std::size_t body) const {
     return {entries_.data() + first_[body], first_[body + 1] - first_[body]};
@@ -33,6 +36,11 @@ class Incidence {
   std::vector<std::uint32_t> first_;
   std::vector<Incident> entries_;
 };
+
+// Both bodies of every edge.
+std::vector<std::array<std::int32_t, 2>> ends_of(const Problem& problem);
+
+EdgeBlocks blocks_of(const Problem& problem);
 
 Incidence incidence_of(const Problem& problem);
 

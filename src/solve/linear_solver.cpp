@@ -16,11 +16,14 @@ constexpr std::size_t most_bodies_factored = 40000;
 constexpr long most_direct_iterations = 12, iterations_per_factor = 20;
 // A coarse level is tried when block Jacobi needs more iterations for a decimal digit than this.
 constexpr double slow_rate = 30.0;
-// Work of one iteration with the coarse level, and of its set-up, in iterations of block Jacobi.
+// Work of one iteration with the coarse level, in iterations of block Jacobi.
 constexpr double coarse_iteration = 1.3;
+// Operations of an iteration of block Jacobi for every edge and every body; they wait for memory, those of a
+// factor do not, which counts twice.
+constexpr double flops_per_edge = 110.0, flops_per_body = 150.0, waiting = 2.0;
 
 std::size_t cluster_size(std::size_t bodies) {
-  if (bodies > 400000) return 256;
+  if (bodies > 400000) return 512;
   return bodies > 50000 ? 128 : 64;
 }
 
@@ -68,6 +71,7 @@ LinearReport LinearSolver::solve(const Linearisation& place, std::span<const dou
     if (!report.stalled) return report;
     wasted = report.iterations;
     needs_double_ = with_coarse_level || !takes_coarse_level();
+    if (needs_double_) coarse_rate_.reset();  // round-off, nothing else, may have held it up
   }
   report = solve_with_levels<double>(place, right_side, options, x);
   report.iterations += wasted;
@@ -87,18 +91,45 @@ LinearReport LinearSolver::solve_with_levels(const Linearisation& place, std::sp
   const BlockJacobi<Real> local(matrix);
   Preconditioner<Real> preconditioner{&local, nullptr};
   const bool with_coarse_level = takes_coarse_level();
-  std::unique_ptr<CoarseLevel<Real>> coarse;
-  if (with_coarse_level) {
-    if (!clusters_) clusters_ = std::make_unique<Clusters>(problem_, cluster_size(problem_.bodies()));
-    coarse = std::make_unique<CoarseLevel<Real>>(*clusters_, matrix);
-    preconditioner.global = coarse.get();
-  }
+  if (with_coarse_level) preconditioner.global = &coarse_level(matrix, place.damping);
   const LinearReport report = conjugate_gradients(matrix, preconditioner, right_side, x, options);
-  const double work = static_cast<double>(report.iterations) * (with_coarse_level ? coarse_iteration : 1.0);
-  (with_coarse_level ? coarse_rate_ : local_rate_) = work / digits(report);
-  ++(with_coarse_level ? counts_.with_coarse_level : counts_.block_jacobi);
+  remember(report, with_coarse_level);
   if (std::is_same_v<Real, double>) ++counts_.in_double;
   return report;
+}
+
+void LinearSolver::remember(const LinearReport& report, bool with_coarse_level) {
+  const double work = static_cast<double>(report.iterations) * (with_coarse_level ? coarse_iteration : 1.0);
+  const double rate = work / digits(report);
+  if (with_coarse_level) {
+    if (!fresh_coarse_rate_) fresh_coarse_rate_ = rate;
+    coarse_excess_ += work - *fresh_coarse_rate_ * digits(report);
+  }
+  (with_coarse_level ? coarse_rate_ : local_rate_) = rate;
+  ++(with_coarse_level ? counts_.with_coarse_level : counts_.block_jacobi);
+}
+
+// What the factor of the coarse level costs, in iterations of block Jacobi.
+double LinearSolver::coarse_setup() const {
+  const double iteration = waiting * (flops_per_edge * static_cast<double>(problem_.edges.size()) +
+                                      flops_per_body * static_cast<double>(problem_.bodies()));
+  return clusters_->solver().size().flops / iteration;
+}
+
+// Factored anew once its age has cost as many iterations as that takes.
+template <class Real>
+CoarseLevel<Real>& LinearSolver::coarse_level(const TangentOperator<Real>& matrix, double damping) {
+  if (!clusters_) clusters_ = std::make_unique<Clusters>(problem_, cluster_size(problem_.bodies()));
+  std::unique_ptr<CoarseLevel<Real>>& level = std::get<std::unique_ptr<CoarseLevel<Real>>>(coarse_);
+  const bool is_new = !level;
+  if (is_new) level = std::make_unique<CoarseLevel<Real>>(*clusters_);
+  if (is_new || damping != coarse_damping_ || coarse_excess_ > coarse_setup()) {
+    level->factor(matrix);
+    coarse_damping_ = damping;
+    coarse_excess_ = 0.0;
+    fresh_coarse_rate_.reset();
+  }
+  return *level;
 }
 
 LinearReport LinearSolver::solve_directly(const Linearisation& place, std::span<const double> right_side,

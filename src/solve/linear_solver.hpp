@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "solve/central_factor.hpp"
@@ -40,11 +41,19 @@ class LinearSolver {
                                  const LinearOptions& options, std::vector<double>& x);
   LinearReport solve_directly(const Linearisation& place, std::span<const double> right_side,
                               const LinearOptions& options, std::vector<double>& x);
+  void remember(const LinearReport& report, bool with_coarse_level);
   bool takes_coarse_level() const;
+  double coarse_setup() const;
+  template <class Real>
+  CoarseLevel<Real>& coarse_level(const TangentOperator<Real>& matrix, double damping);
 
   const Problem& problem_;
   std::unique_ptr<CentralFactor> direct_;  // only for networks that resist approach alone
   std::unique_ptr<Clusters> clusters_;     // made when the coarse level is first tried
+  std::tuple<std::unique_ptr<CoarseLevel<float>>, std::unique_ptr<CoarseLevel<double>>> coarse_;
+  double coarse_damping_ = 0.0;              // of the matrix that the coarse level was factored for
+  double coarse_excess_ = 0.0;               // iterations that its age has cost since
+  std::optional<double> fresh_coarse_rate_;  // as coarse_rate_, right after it was factored
   bool needs_double_ = false;
   // Work a decimal digit of the residual cost, in iterations of block Jacobi; empty: not tried.
   std::optional<double> local_rate_, coarse_rate_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -25,16 +26,26 @@ namespace {
 // Newton's method cannot see coming.
 std::vector<double> stiff_penalties(const Problem& problem, const Options& options,
                                     std::vector<double> penalty) {
-  for (std::size_t k = 0; k < penalty.size(); ++k) {
+  parallel_for(penalty.size(), [&](std::size_t k) {
     const bool is_rigid = std::isinf(problem.edges[k].response.limit);
     if (is_rigid || !options.soft_limits) penalty[k] *= options.penalty_factor;
-  }
+  });
   return penalty;
 }
 
+template <class Test>
+bool any_edge(const Problem& problem, const Test& test) {
+  return ordered_sum(problem.edges.size(), 0, [&](std::size_t begin, std::size_t end) {
+           const auto first = problem.edges.begin();
+           return std::any_of(first + static_cast<std::ptrdiff_t>(begin),
+                              first + static_cast<std::ptrdiff_t>(end), test)
+                      ? 1
+                      : 0;
+         }) > 0;
+}
+
 bool has_rigid_stops(const Problem& problem) {
-  return std::any_of(problem.edges.begin(), problem.edges.end(),
-                     [](const Edge& edge) { return std::isinf(edge.response.limit); });
+  return any_edge(problem, [](const Edge& edge) { return std::isinf(edge.response.limit); });
 }
 
 double largest_factor(const Problem& problem, const Options& options) {
@@ -43,8 +54,7 @@ double largest_factor(const Problem& problem, const Options& options) {
 
 // Whether stiff penalties instead of soft ones would make another iteration of it.
 bool is_softened(const Problem& problem, const Options& options) {
-  const bool has_limited = std::any_of(problem.edges.begin(), problem.edges.end(),
-                                       [](const Edge& edge) { return edge.response.limit > 0.0; });
+  const bool has_limited = any_edge(problem, [](const Edge& edge) { return edge.response.limit > 0.0; });
   return options.soft_limits && has_limited && !has_rigid_stops(problem);
 }
 
@@ -59,8 +69,7 @@ class NewtonSolve {
         stiff_penalty_(stiff_penalties(problem, options, penalty_)),
         stiffening_(largest_factor(problem, options)),
         linear_(problem),
-        opens_freely_(std::any_of(problem.edges.begin(), problem.edges.end(),
-                                  [](const Edge& edge) { return edge.response.opens_freely; })),
+        opens_freely_(any_edge(problem, [](const Edge& edge) { return edge.response.opens_freely; })),
         most_whole_solves_(is_central(problem) ? 1 : 8),
         unsettled_(options.settles_mechanisms ? 1.0 : 0.0) {}
 
@@ -93,35 +102,40 @@ class NewtonSolve {
 
   // A few bodies may be far from balance while all others are near it (a contact that closes, a grain that is
   // hardly held): the larger the packing, the more surely. They are settled among their neighbours, without
-  // a solve for everything else (docs/decisions/0014). `rest`: what may remain of the residual. False: there
-  // are no such few.
-  bool settle_few(Rest rest) {
-    if (problem_.bodies() < least_bodies_for_patches || finished()) return false;
+  // a solve for everything else (docs/decisions/0014). `rest`: what may remain of the residual. Returns what
+  // was there before; nothing when there are no such few.
+  struct Settled {
+    Patch patch;
+    Solution before;
+  };
+  std::optional<Settled> settle_few(Rest rest) {
+    if (problem_.bodies() < least_bodies_for_patches || finished()) return {};
     const double unit = problem_.force_unit;
     const std::vector<std::uint32_t> few =
         unbalanced_few(gradient_.values(), problem_.bodies(), {unit * rest.wanted, unit * rest.acceptable});
-    if (few.empty()) return false;
-    if (!patches_) patches_ = std::make_unique<PatchMaker>(problem_);
-    const Patch patch = patches_->around(few, rings_around_few);
-    Solution part = taken_from(solution_, patch);
+    if (few.empty()) return {};
+    if (!patches_) patches_ = std::make_unique<PatchMaker>(problem_, gradient_.blocks());
+    Settled settled{patches_->around(few, rings_around_few), {}};
+    const Patch& patch = settled.patch;
+    settled.before = taken_from(solution_, patch);
+    Solution part = settled.before;
     Options options = options_;
     options.tolerance = std::max(0.3 * options_.tolerance, rest.wanted);
     options.largest_newton_iterations = most_patch_iterations;
     options.settles_mechanisms = false;
-    const Report settled = NewtonSolve(patch.problem, options, part).run();
-    report_.linear_seconds += settled.linear_seconds;
+    report_.linear_seconds += NewtonSolve(patch.problem, options, part).run().linear_seconds;
     ++report_.patches;
     put_back(part, patch, solution_);
     evaluate_again();
-    return true;
+    return settled;
   }
 
   // A whole step that is right for all but a few, which make it look too long.
   bool is_right_but_for_few(double force_before) {
-    const Solution whole_step = solution_;
-    if (!settle_few({0.1 * force_before, 0.4 * force_before})) return false;
+    const std::optional<Settled> settled = settle_few({0.1 * force_before, 0.4 * force_before});
+    if (!settled) return false;
     if (residual_.force < 0.5 * force_before) return true;
-    solution_ = whole_step;
+    put_back(settled->before, settled->patch, solution_);
     evaluate_again();
     return false;
   }

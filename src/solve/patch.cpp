@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/parallel.hpp"
+
 namespace frit::solve {
 namespace {
 
@@ -10,8 +12,8 @@ constexpr double largest_share = 1.0 / 300.0;
 
 }  // namespace
 
-PatchMaker::PatchMaker(const Problem& problem)
-    : problem_(problem), incidence_(incidence_of(problem)), place_(problem.bodies(), -1) {}
+PatchMaker::PatchMaker(const Problem& problem, const EdgeBlocks& blocks)
+    : problem_(problem), incidence_(problem, blocks), place_(problem.bodies(), -1) {}
 
 void PatchMaker::visit(std::uint32_t body, Patch& patch) {
   if (place_[body] >= 0) return;
@@ -103,13 +105,20 @@ std::vector<std::uint32_t> unbalanced_few(std::span<const double> gradient, std:
   };
   const double wanted = rest.wanted * rest.wanted, acceptable = rest.acceptable * rest.acceptable;
   const double negligible = wanted / static_cast<double>(std::max<std::size_t>(1, bodies));
+  std::vector<double> squares(bodies);
+  double left = ordered_sum(bodies, 0.0, [&](std::size_t begin, std::size_t end) {
+    double sum = 0.0;
+    for (std::size_t n = begin; n < end; ++n) {
+      double square = 0.0;
+      for (const double value : gradient.subspan(6 * n, 6)) square += value * value;
+      squares[n] = square;
+      sum += square;
+    }
+    return sum;
+  });
   std::vector<Body> worst;
-  double left = 0.0;
   for (std::size_t n = 0; n < bodies; ++n) {
-    double square = 0.0;
-    for (const double value : gradient.subspan(6 * n, 6)) square += value * value;
-    if (square > negligible) worst.push_back({square, static_cast<std::uint32_t>(n)});
-    left += square;
+    if (squares[n] > negligible) worst.push_back({squares[n], static_cast<std::uint32_t>(n)});
   }
   const auto most =
       std::min(worst.size(), static_cast<std::size_t>(largest_share * static_cast<double>(bodies)));

@@ -20,8 +20,8 @@ struct Patch {
 
 class PatchMaker {
  public:
-  // The problem must outlive the maker.
-  explicit PatchMaker(const Problem& problem);
+  // The problem must outlive the maker; blocks: of its edges.
+  PatchMaker(const Problem& problem, const EdgeBlocks& blocks);
 
   // Free to move: the seeds and what `rings` edges lead to.
   Patch around(std::span<const std::uint32_t> seeds, int rings);

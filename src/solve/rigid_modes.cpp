@@ -1,11 +1,12 @@
 #include "solve/rigid_modes.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Cholesky>
 
+#include "core/parallel.hpp"
 #include "solve/gradient.hpp"
-#include "solve/incidence.hpp"
 #include "solve/response.hpp"
 
 namespace frit::solve {
@@ -27,56 +28,69 @@ bool joins(const Problem& problem, std::size_t k, const Solution& solution) {
   return viscous_tangent(response, approach) > 0.0;
 }
 
-// Breadth-first walk from one body over joining edges.
-class Walk {
+// Bodies that are joined, as trees: every body knows the way there from its parent, and soon from its root.
+class Trees {
  public:
-  Walk(const Problem& problem, const Solution& solution)
-      : problem_(problem),
-        solution_(solution),
-        incidence_(incidence_of(problem)),
-        place_(problem.bodies(), Vec3::Zero()),
-        seen_(problem.bodies(), false) {}
-
-  bool seen(std::size_t body) const { return seen_[body]; }
-
-  Cluster from(std::size_t start) {
-    Cluster cluster;
-    visit(start, Vec3::Zero(), cluster);
-    for (std::size_t next = 0; next < cluster.bodies.size(); ++next) {
-      const auto body = static_cast<std::size_t>(cluster.bodies[next]);
-      for (const Incident incident : incidence_.at(body)) step_over(incident, body, cluster);
-    }
-    return cluster;
+  explicit Trees(std::size_t bodies)
+      : parent_(bodies), members_(bodies, 1), place_(bodies, Vec3::Zero()), percolates_(bodies, 0) {
+    std::iota(parent_.begin(), parent_.end(), 0);
   }
+
+  void join(std::int32_t i, std::int32_t j, const Vec3& way) {
+    const std::int32_t of_i = root(i), of_j = root(j);
+    const Vec3 apart = place(i) + way - place(j);  // from root to root, along this way
+    if (of_i != of_j) {
+      if (members(of_i) < members(of_j)) {
+        hang(of_i, of_j, -apart);
+      } else {
+        hang(of_j, of_i, apart);
+      }
+    } else if (apart.norm() > 0.25 * way.norm()) {
+      percolates_[static_cast<std::size_t>(of_i)] = 1;
+    }
+  }
+
+  std::int32_t root(std::int32_t body) {
+    std::int32_t& parent = parent_[static_cast<std::size_t>(body)];
+    if (parent == body || is_root(parent)) return parent;
+    const std::int32_t top = root(parent);
+    place_[static_cast<std::size_t>(body)] += place(parent);
+    parent = top;
+    return top;
+  }
+
+  // Relative to the root, once that was asked for.
+  const Vec3& place(std::int32_t body) const { return place_[static_cast<std::size_t>(body)]; }
+  std::size_t members(std::int32_t root) const { return members_[static_cast<std::size_t>(root)]; }
+  bool percolates(std::int32_t root) const { return percolates_[static_cast<std::size_t>(root)] != 0; }
 
  private:
-  void step_over(const Incident incident, std::size_t body, Cluster& cluster) {
-    const Edge& edge = problem_.edges[incident.edge()];
-    if (!joins(problem_, incident.edge(), solution_)) return;
-    const double way = (incident.is_second() ? -1.0 : 1.0) * (edge.arm_i + edge.arm_j);
-    const auto other = static_cast<std::size_t>(incident.is_second() ? edge.i : edge.j);
-    const Vec3 there = place_[body] + way * edge.normal;
-    if (!seen_[other]) {
-      visit(other, there, cluster);
-    } else if ((there - place_[other]).norm() > 0.25 * std::abs(way)) {
-      cluster.percolates = true;
-    }
+  bool is_root(std::int32_t body) const { return parent_[static_cast<std::size_t>(body)] == body; }
+
+  void hang(std::int32_t root, std::int32_t below, const Vec3& way) {
+    const auto r = static_cast<std::size_t>(root), b = static_cast<std::size_t>(below);
+    parent_[r] = below;
+    place_[r] = way;
+    members_[b] += members_[r];
+    percolates_[b] |= percolates_[r];
   }
 
-  void visit(std::size_t body, const Vec3& place, Cluster& cluster) {
-    seen_[body] = true;
-    place_[body] = place;
-    cluster.bodies.push_back(static_cast<std::int32_t>(body));
-    cluster.position.push_back(place);
-    cluster.held = cluster.held || (problem_.held[body] & holds_translation) != 0;
-  }
-
-  const Problem& problem_;
-  const Solution& solution_;
-  Incidence incidence_;
+  std::vector<std::int32_t> parent_;
+  std::vector<std::uint32_t> members_;  // of a root
   std::vector<Vec3> place_;
-  std::vector<bool> seen_;
+  std::vector<std::uint8_t> percolates_;  // of a root
 };
+
+Trees joined_bodies(const Problem& problem, const Solution& solution) {
+  std::vector<std::uint8_t> is_joint(problem.edges.size());
+  parallel_for(is_joint.size(), [&](std::size_t k) { is_joint[k] = joins(problem, k, solution) ? 1 : 0; });
+  Trees trees(problem.bodies());
+  for (std::size_t k = 0; k < is_joint.size(); ++k) {
+    const Edge& edge = problem.edges[k];
+    if (is_joint[k] != 0) trees.join(edge.i, edge.j, (edge.arm_i + edge.arm_j) * edge.normal);
+  }
+  return trees;
+}
 
 // Loads on every body with the constant pulls of opening necks, which are loads too for the clusters they
 // part.
@@ -158,15 +172,28 @@ void balance_rotation(const Inertia& inertia, const Cluster& cluster, std::vecto
 }  // namespace
 
 std::vector<Cluster> find_clusters(const Problem& problem, const Solution& solution) {
-  Walk walk(problem, solution);
+  Trees trees = joined_bodies(problem, solution);
   std::vector<Cluster> clusters;
-  for (std::size_t body = 0; body < problem.bodies(); ++body) {
-    if (walk.seen(body)) continue;
-    clusters.push_back(walk.from(body));
+  std::vector<std::int32_t> cluster_of(problem.bodies(), -1);  // by root
+  for (std::int32_t body = 0; body < static_cast<std::int32_t>(problem.bodies()); ++body) {
+    const std::int32_t root = trees.root(body);
+    std::int32_t& number = cluster_of[static_cast<std::size_t>(root)];
+    if (number < 0) {
+      number = static_cast<std::int32_t>(clusters.size());
+      Cluster& cluster = clusters.emplace_back();
+      cluster.bodies.reserve(trees.members(root));
+      cluster.position.reserve(trees.members(root));
+      cluster.percolates = trees.percolates(root);
+    }
+    Cluster& cluster = clusters[static_cast<std::size_t>(number)];
+    cluster.bodies.push_back(body);
+    cluster.position.push_back(trees.place(body));
+    cluster.held = cluster.held || (problem.held[static_cast<std::size_t>(body)] & holds_translation) != 0;
+  }
+  for (Cluster& cluster : clusters) {
     double mass = 0.0;
-    for (const std::int32_t member : clusters.back().bodies)
-      mass += problem.mass[static_cast<std::size_t>(member)];
-    centre({problem, {}, mass == 0.0}, clusters.back());
+    for (const std::int32_t member : cluster.bodies) mass += problem.mass[static_cast<std::size_t>(member)];
+    centre({problem, {}, mass == 0.0}, cluster);
   }
   return clusters;
 }

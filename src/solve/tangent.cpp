@@ -230,18 +230,20 @@ template <class Real>
 Mat3 TangentOperator<Real>::axes_block() const {
   Mat3 block = Mat3::Zero();
   if (branch_.empty()) return block;
-  for (std::size_t part = 0; part < blocks_.count(); ++part) {
+  block = ordered_sum(problem_.bodies(), block, [&](std::size_t begin, std::size_t) {
+    Mat3 part = Mat3::Zero();
     for (const Ends ends : {Ends::both, Ends::first}) {
-      const std::size_t start = blocks_.begin(part, ends);
-      const std::span<const TangentEdge<Real>> list = edges_of(part, ends);
+      const std::size_t start = blocks_.begin(begin / block_size, ends);
+      const std::span<const TangentEdge<Real>> list = edges_of(begin / block_size, ends);
       for (std::size_t n = 0; n < list.size(); ++n) {
         const Vec3 normal = normal_of(list[n]);
         const Vec3 branch = to_vec3(branch_[start + n]), along = branch.cwiseProduct(normal);
-        block += double(list[n].normal_excess) * along * along.transpose();
-        block.diagonal() += double(list[n].sliding) * branch.cwiseAbs2();
+        part += double(list[n].normal_excess) * along * along.transpose();
+        part.diagonal() += double(list[n].sliding) * branch.cwiseAbs2();
       }
     }
-  }
+    return part;
+  });
   for (int axis = 0; axis < 3; ++axis) {
     if (!problem_.axis_held[axis]) continue;
     block.row(axis).setZero();

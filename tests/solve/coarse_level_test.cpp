@@ -98,7 +98,9 @@ struct Level {
   Linearised<Real> at;
   Clusters clusters;
   CoarseLevel<Real> level;
-  explicit Level(const Problem& p) : at(p), clusters(at.problem, cluster_size), level(clusters, at.matrix) {}
+  explicit Level(const Problem& p) : at(p), clusters(at.problem, cluster_size), level(clusters) {
+    level.factor(at.matrix);
+  }
   Corrected correct(const Eigen::VectorXd& forces) { return correction(level, forces); }
 };
 

@@ -33,7 +33,8 @@ TEST(Patch, HasTheForcesOfTheWholeOnItsFreeBodies) {
     const Problem whole = sparse_problem(axes, dice);
     const Solution at = random_solution(whole, 0.1, dice);
     const std::vector<double> forces = gradient_of(whole, at);
-    PatchMaker maker(whole);
+    const EdgeBlocks blocks = blocks_of(whole);
+    PatchMaker maker(whole, blocks);
     for (int rings = 0; rings < 3; ++rings) {
       const std::vector<std::uint32_t> seeds{7, 31};
       const Patch patch = maker.around(seeds, rings);
@@ -50,7 +51,8 @@ TEST(Patch, HasTheForcesOfTheWholeOnItsFreeBodies) {
 TEST(Patch, IsWhatTheRingsReach) {
   // A chain: every ring adds a body at either side, and one more at either end is held.
   const Problem row = chain(std::vector<double>(19, 0.1), 1.0, 1e-3);
-  PatchMaker maker(row);
+  const EdgeBlocks blocks = blocks_of(row);
+  PatchMaker maker(row, blocks);
   for (const std::size_t rings : {0, 1, 2}) {
     const std::vector<std::uint32_t> seeds{10};
     const Patch patch = maker.around(seeds, static_cast<int>(rings));
@@ -71,7 +73,8 @@ TEST(Patch, SolvedLowersTheEnergyAndMovesNothingElse) {
       random_cluster({.edge_count = 6, .spacing = 1.9, .mass = 1.0, .sliding = 0.1}, dice).problem;
   Solution at = Solution::at_rest(whole);
   const double before = energy(whole, at, {});
-  PatchMaker maker(whole);
+  const EdgeBlocks blocks = blocks_of(whole);
+  PatchMaker maker(whole, blocks);
   const std::vector<std::uint32_t> seeds{100};
   const Patch patch = maker.around(seeds, 1);
   Solution part = taken_from(at, patch);
