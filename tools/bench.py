@@ -32,6 +32,8 @@ def parse_arguments():
     parser.add_argument("--threads", type=int, default=len(os.sched_getaffinity(0)), help="of frit (default: every processor)")
     parser.add_argument("--reference", action="store_true", help=f"also one run at accuracy {measure.REFERENCE_ACCURACY:g} of each case, "
                                                                  "and the differences from it")
+    parser.add_argument("--independence", action="store_true", help="also runs with ten times and a tenth of the mass and with a hundredth of the "
+                                                                    "tolerance, and the differences")
     parser.add_argument("--packing", type=pathlib.Path, metavar="FILE", help="this CSV packing, as a free body")
     parser.add_argument("--particles", type=int, default=1000, help="of peers and profile (1000)")
     parser.add_argument("--build", type=pathlib.Path, default=DEFAULT_BUILD, help="build folder of the program to measure (build/release)")
@@ -56,7 +58,7 @@ class Session:
     def run_case(self, case):
         """Measures a case into the ledger; False if a run failed."""
         arguments = self.arguments
-        effort = measure.Effort(arguments.threads, arguments.runs, arguments.reference)
+        effort = measure.Effort(arguments.threads, arguments.runs, arguments.reference, arguments.independence)
         try:
             entry = measure.measure(self.workshop, self.starts, case, effort)
         except RunFailed as failure:
@@ -131,6 +133,8 @@ def run(arguments, cases, studies):
         print("\n" + tables.case_table(told, names))
     if arguments.reference and cases:
         print("\ndifference [%] from the reference run\n\n" + tables.accuracy_table(told, names))
+    if arguments.independence and cases:
+        print("\nlargest difference [%] when what must not matter is changed\n\n" + tables.independence_table(told, names))
     every = tables.all_tables(told, named_cases())
     for marker in (marker for study in studies for marker in STUDY_TABLES[study]):
         print(f"\n{marker}\n\n{every[marker]}")

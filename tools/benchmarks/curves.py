@@ -4,6 +4,7 @@ import math
 
 DENSITIES = (0.70, 0.80, 0.87)
 PAIR_RATIO = "rearrangement_pair_ratio"
+MEASURES = (PAIR_RATIO, "rearrangement_deviation_mean", "rearrangement_d2min_q50")
 
 
 def cubic(points, x):
@@ -32,19 +33,19 @@ def at_density(rows, density, value):
     return cubic(points[first:first + 4], density)
 
 
-def figures_at(rows, density):
-    """Time [s], interpolated in its logarithm, and the pair ratio of rearrangement; None outside the run."""
+def figures_at(rows, density, measures=(PAIR_RATIO,)):
+    """Time [s], interpolated in its logarithm, and measures of rearrangement; None outside the run."""
     log_time = at_density(rows, density, lambda row: math.log(row["time [s]"]))
     if log_time is None:
         return None
-    return {"time [s]": math.exp(log_time), PAIR_RATIO: at_density(rows, density, lambda row: row[PAIR_RATIO])}
+    return {"time [s]": math.exp(log_time)} | {name: at_density(rows, density, lambda row: row[name]) for name in measures}
 
 
-def differences(rows, accurate_rows):
+def differences(rows, accurate_rows, measures=(PAIR_RATIO,)):
     """Density -> relative differences [%] of a run from the accurate one, where both reach the density."""
     compared = {}
     for density in DENSITIES:
-        here, there = figures_at(rows, density), figures_at(accurate_rows, density)
+        here, there = (figures_at(of, density, measures) for of in (rows, accurate_rows))
         if here and there:
             compared[f"{density:.2f}"] = {name: 100 * (here[name] / there[name] - 1) for name in here}
     return compared

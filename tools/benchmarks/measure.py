@@ -4,10 +4,14 @@ import os
 import statistics
 import time
 
-from .curves import DENSITIES, differences, figures_at
+from validation.program import with_keys
+
+from .curves import DENSITIES, MEASURES, differences, figures_at
 
 LONGEST_RUN = 7 * 24 * 3600.0  # [s]
 REFERENCE_ACCURACY = 0.001
+COPPER_DENSITY = 8960.0  # [kg/m^3], of all cases
+TIGHT_TOLERANCE = 5e-5  # of the accuracy: a hundredth of what "auto" takes (docs/config.md, method.tolerance)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -16,6 +20,7 @@ class Effort:
     threads: int
     runs: int = 0  # 0: as many as the case wants
     reference: bool = False  # also one run at REFERENCE_ACCURACY
+    independence: bool = False  # also runs with other masses and a tighter tolerance
 
 
 def figures_of(summary, rows, wall, cpu):
@@ -42,6 +47,24 @@ def run_once(workshop, case, threads):
     return figures_of(summary, rows, wall, cpu), rows, summary
 
 
+def variations(keys):
+    """Name -> the case with something changed that the answer must not depend on."""
+    return {
+        "mass x 10": with_keys(keys, material={"density": 10 * COPPER_DENSITY}),
+        "mass / 10": with_keys(keys, material={"density": 0.1 * COPPER_DENSITY}),
+        "tolerance / 100": with_keys(keys, method={"tolerance": TIGHT_TOLERANCE * keys["method"]["accuracy"]}),
+    }
+
+
+def independence(workshop, keys, rows, threads):
+    """Name of the variation -> density -> differences [%] of time and rearrangement from the run as it is."""
+    found = {}
+    for name, changed in variations(keys).items():
+        _, changed_rows, _ = run_once(workshop, changed, threads)
+        found[name] = differences(changed_rows, rows, MEASURES)
+    return found
+
+
 def measure(workshop, starts, case, effort):
     """The entry of a case for results/bench.json. Throws RunFailed."""
     keys = starts.of(case).keys(case.case_keys())
@@ -56,6 +79,8 @@ def measure(workshop, starts, case, effort):
         "median": {name: statistics.median(run[name] for run in runs) for name in runs[0]}, "runs": runs,
         "at density": {f"{density:.2f}": figures_at(rows, density) for density in DENSITIES},
     }
+    if effort.independence:
+        entry["independence [%]"] = independence(workshop, keys, rows, effort.threads)
     if effort.reference:
         keys["method"]["accuracy"] = REFERENCE_ACCURACY
         figures, accurate_rows, _ = run_once(workshop, keys, effort.threads)

@@ -1,6 +1,6 @@
 """Tables of what was measured, for the terminal and for docs/performance.md."""
 from . import bandwidth
-from .curves import DENSITIES, PAIR_RATIO
+from .curves import DENSITIES, MEASURES, PAIR_RATIO
 
 PENDING = "(run pending)"
 CASE_COLUMNS = {  # figure -> (heading, format)
@@ -59,6 +59,18 @@ def accuracy_table(ledger, names):
     return table(header, rows or [padded("any case with --reference", [], len(header))])
 
 
+def independence_table(ledger, names):
+    """Differences [%] that other masses and a tighter tolerance make, the largest over the densities."""
+    header = ["case", "changed", "time", *(name.replace("rearrangement_", "").replace("_", " ") for name in MEASURES)]
+    rows = []
+    for name in names:
+        for changed, compared in ledger["cases"].get(name, {}).get("independence [%]", {}).items():
+            largest = (max((figures[figure] for figures in compared.values()), key=abs, default=None)
+                       for figure in ("time [s]", *MEASURES))
+            rows.append([name, changed, *("not in the run" if value is None else f"{value:+.2f}" for value in largest)])
+    return table(header, rows or [padded("any case with --independence", [], len(header))])
+
+
 def bandwidth_table(ledger):
     header = ["arrays together [MiB]", "threads", "triad [GB/s]"]
     rows = [[f"{row['MiB']:g}", f"{row['threads']}", f"{row['GB/s']:.1f}"] for row in ledger.get("bandwidth", {}).get("triad", [])]
@@ -102,6 +114,6 @@ def profile_table(ledger, kind):
 def all_tables(ledger, cases):
     """Marker in docs/performance.md -> table."""
     names = names_of(ledger, cases)
-    return {"cases": case_table(ledger, names), "accuracy": accuracy_table(ledger, names), "bandwidth": bandwidth_table(ledger),
+    return {"cases": case_table(ledger, names), "accuracy": accuracy_table(ledger, names), "independence": independence_table(ledger, names), "bandwidth": bandwidth_table(ledger),
             "roofline": roofline_table(ledger, names), "peers": peers_table(ledger),
             "profile-exclusive": profile_table(ledger, "exclusive"), "profile-inclusive": profile_table(ledger, "inclusive")}
