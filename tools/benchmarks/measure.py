@@ -4,12 +4,13 @@ import os
 import statistics
 import time
 
-from validation.program import with_keys
+from validation.program import RunFailed, with_keys
 
 from .curves import DENSITIES, MEASURES, differences, figures_at
 
 LONGEST_RUN = 7 * 24 * 3600.0  # [s]
 REFERENCE_ACCURACY = 0.001
+PATIENCE = 30.0  # times the run as it is, for one with something changed
 COPPER_DENSITY = 8960.0  # [kg/m^3], of all cases
 TIGHT_TOLERANCE = 5e-5  # of the accuracy: a hundredth of what "auto" takes (docs/config.md, method.tolerance)
 
@@ -37,10 +38,10 @@ def figures_of(summary, rows, wall, cpu):
     }
 
 
-def run_once(workshop, case, threads):
+def run_once(workshop, case, threads, longest=LONGEST_RUN):
     """(figures, rows of the series, summary) of one run. Throws RunFailed."""
     before, begin = os.times(), time.perf_counter()
-    result = workshop.run(case, threads=threads, longest=LONGEST_RUN)
+    result = workshop.run(case, threads=threads, longest=longest)
     wall, after = time.perf_counter() - begin, os.times()
     cpu = after.children_user - before.children_user + after.children_system - before.children_system
     rows, summary = result.rows(), result.summary()
@@ -56,12 +57,16 @@ def variations(keys):
     }
 
 
-def independence(workshop, keys, rows, threads):
-    """Name of the variation -> density -> differences [%] of time and rearrangement from the run as it is."""
+def independence(workshop, keys, rows, wall, threads):
+    """Name of the variation -> density -> differences [%] of time and rearrangement from the run as it is, which took
+    `wall` [s]; empty for a variation that has no end in sight."""
     found = {}
     for name, changed in variations(keys).items():
-        _, changed_rows, _ = run_once(workshop, changed, threads)
-        found[name] = differences(changed_rows, rows, MEASURES)
+        try:
+            _, changed_rows, _ = run_once(workshop, changed, threads, max(60.0, PATIENCE * wall))
+            found[name] = differences(changed_rows, rows, MEASURES)
+        except RunFailed:
+            found[name] = {}
     return found
 
 
@@ -80,7 +85,7 @@ def measure(workshop, starts, case, effort):
         "at density": {f"{density:.2f}": figures_at(rows, density) for density in DENSITIES},
     }
     if effort.independence:
-        entry["independence [%]"] = independence(workshop, keys, rows, effort.threads)
+        entry["independence [%]"] = independence(workshop, keys, rows, figures["wall [s]"], effort.threads)
     if effort.reference:
         keys["method"]["accuracy"] = REFERENCE_ACCURACY
         figures, accurate_rows, _ = run_once(workshop, keys, effort.threads)

@@ -67,7 +67,7 @@ def independence_table(ledger, names):
         for changed, compared in ledger["cases"].get(name, {}).get("independence [%]", {}).items():
             largest = (max((figures[figure] for figures in compared.values()), key=abs, default=None)
                        for figure in ("time [s]", *MEASURES))
-            rows.append([name, changed, *("not in the run" if value is None else f"{value:+.2f}" for value in largest)])
+            rows.append([name, changed, *("did not end" if value is None else f"{value:+.2f}" for value in largest)])
     return table(header, rows or [padded("any case with --independence", [], len(header))])
 
 
