@@ -42,6 +42,11 @@ if(FRIT_SANITIZE)
   target_link_options(frit_flags INTERFACE -fsanitize=${FRIT_SANITIZE})
 endif()
 
+if(FRIT_COVERAGE)
+  target_compile_options(frit_flags INTERFACE $<BUILD_INTERFACE:--coverage;-fprofile-update=atomic>)
+  target_link_options(frit_flags INTERFACE --coverage)  # also of others' programs: the libraries need it
+endif()
+
 # frit_library(name SOURCES ... USES rung ... LIBRARIES external ...)
 function(frit_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;USES;LIBRARIES" ${ARGN})

@@ -61,6 +61,12 @@ class ResumeTest(ProgramTest):
             (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
             (self.folder / name).write_bytes(content)
         self.straight = bits(self.folder / "straight")
+        # In a coverage build a process that is killed, or may not write, would spoil the counts of all others.
+        os.environ["GCOV_PREFIX"] = str(self.folder / "gcov")
+
+    def tearDown(self):
+        del os.environ["GCOV_PREFIX"]
+        super().tearDown()
 
     def assert_same(self, folder):
         found = bits(folder)
