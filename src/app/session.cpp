@@ -14,6 +14,7 @@
 
 #include "app/interrupts.hpp"
 #include "app/progress.hpp"
+#include "core/abandoned.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "report/page.hpp"
@@ -65,6 +66,14 @@ std::optional<double> take_part(std::string_view& text) {
   }
 }
 
+// Before its first row a run has no folder.
+int tell_abandoned(const std::string& why) {
+  const int signal = interrupt_received();
+  const std::string by = signal != 0 ? fmt::format("signal {}", signal) : "--max-wall";
+  fmt::print(stderr, "frit: stopped by {} before the first step: {}; nothing is written\n", by, why);
+  return signal != 0 ? 128 + signal : 4;
+}
+
 }  // namespace
 
 double parse_wall_time(const std::string& text) {
@@ -101,13 +110,17 @@ int run_session(const SessionOptions& options, const std::filesystem::path& fold
   catch_interrupts();
   const auto display = make_display(display_of(options));
   const auto seconds = [] { return std::chrono::duration<double>(Clock::now() - program_start).count(); };
-  const run::Ending ending = work(*display, {.interrupt = interrupt_received,
-                                             .asks_checkpoint = checkpoint_asked,
-                                             .wall_seconds = seconds,
-                                             .wall_limit = options.wall_limit()});
-  if (ending.code == 3) fmt::print(stderr, "frit: {}\n", ending.reason);
-  if (wants_report) write_report(folder, options);
-  return ending.code;
+  try {
+    const run::Ending ending = work(*display, {.interrupt = interrupt_received,
+                                               .asks_checkpoint = checkpoint_asked,
+                                               .wall_seconds = seconds,
+                                               .wall_limit = options.wall_limit()});
+    if (ending.code == 3) fmt::print(stderr, "frit: {}\n", ending.reason);
+    if (wants_report) write_report(folder, options);
+    return ending.code;
+  } catch (const Abandoned& error) {
+    return tell_abandoned(error.what());
+  }
 }
 
 }  // namespace frit::app

@@ -74,6 +74,7 @@ std::vector<Vec3> draw_positions(std::size_t count, std::uint64_t seed) {
 SoftSpheres make_network(std::size_t count, const RandomDenseOptions& options) {
   SoftSpheres spheres(draw_positions(count, options.seed),
                       draw_radii(count, options.relative_spread, options.seed), options.relative_density);
+  spheres.abandon_when(options.abandon);
   const RelaxReport pushed = spheres.relax(push_apart);
   if (pushed.coordination >= rigid_coordination) return spheres;
   for (int round = 0; round < bonding_rounds; ++round) {

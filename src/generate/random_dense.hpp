@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "generate/lattice.hpp"
 #include "generate/packing.hpp"
@@ -15,6 +16,7 @@ struct RandomDenseOptions {
   double relative_density = 0.64;  // sphere volume / volume, 0.60 to 0.66
   std::uint64_t seed = 1;
   Boundary boundary = Boundary::periodic;
+  std::function<bool()> abandon = {};  // asked often; true: make_random_dense throws Abandoned
 };
 
 // Periodic: a cube whose density is met to round-off. Free: the `count` spheres nearest to the centre of a

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/abandoned.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"
@@ -152,6 +153,7 @@ RelaxReport SoftSpheres::relax(const RelaxOptions& options) {
   list_sides();
   Pace pace;
   for (int step = 0;; ++step) {
+    if (abandon_ && abandon_()) throw Abandoned("the packing is not made");
     const Sums sums = compute_forces();
     const RelaxReport report = report_of(sums, step);
     const bool apart = bonds_.empty() && report.mean_overlap <= options.overlap_tolerance;

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "neighbor/neighbor.hpp"
@@ -28,6 +30,9 @@ class SoftSpheres {
   // Positions anywhere; radii with mean 1. The cube's edge is such that sphere volume / cell volume is
   // `relative_density`; positions are given in edges of it.
   SoftSpheres(std::vector<Vec3> positions, std::vector<double> radii, double relative_density);
+
+  // relax asks this before each of its steps, and throws Abandoned where it says so.
+  void abandon_when(std::function<bool()> asked) { abandon_ = std::move(asked); }
 
   // Lowers the elastic energy by the damped dynamics FIRE (Bitzek et al., Phys. Rev. Lett. 97, 170201, 2006)
   // until the forces balance, the spheres are apart or the steps are used up.
@@ -72,6 +77,7 @@ class SoftSpheres {
   std::vector<Side> sides_;
   std::vector<neighbor::Pair> bonds_;
   double rest_ratio_ = 0.0;
+  std::function<bool()> abandon_;
 };
 
 }  // namespace frit::generate

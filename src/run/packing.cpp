@@ -21,7 +21,8 @@ namespace {
 
 using config::Generator;
 
-generate::Packing make_random(const config::Case& whole, generate::Boundary boundary) {
+generate::Packing make_random(const config::Case& whole, generate::Boundary boundary,
+                              const std::function<bool()>& abandon) {
   generate::RandomDenseOptions options;
   options.count = whole.packing.count;
   options.mean_radius = whole.packing.radius;
@@ -29,10 +30,11 @@ generate::Packing make_random(const config::Case& whole, generate::Boundary boun
   options.relative_density = whole.packing.relative_density;
   options.seed = static_cast<std::uint64_t>(whole.packing.seed);
   options.boundary = boundary;
+  options.abandon = abandon;
   return generate::make_random_dense(options);
 }
 
-generate::Packing generated(const config::Case& whole) {
+generate::Packing generated(const config::Case& whole, const std::function<bool()>& abandon) {
   const auto boundary =
       whole.cell.kind == config::CellKind::periodic ? generate::Boundary::periodic : generate::Boundary::free;
   const auto lattice = [&](generate::LatticeKind kind) {
@@ -40,7 +42,7 @@ generate::Packing generated(const config::Case& whole) {
   };
   switch (whole.packing.generate.value_or(Generator::random_dense)) {
     case Generator::random_dense:
-      return make_random(whole, boundary);
+      return make_random(whole, boundary, abandon);
     case Generator::simple_cubic:
       return lattice(generate::LatticeKind::simple_cubic);
     case Generator::body_centred_cubic:
@@ -106,8 +108,8 @@ void apply_groups(const config::Case& whole, Particles& particles) {
 
 }  // namespace
 
-generate::Packing make_packing(const config::Case& whole) {
-  generate::Packing packing = whole.packing.file ? read(whole) : generated(whole);
+generate::Packing make_packing(const config::Case& whole, const std::function<bool()>& abandon) {
+  generate::Packing packing = whole.packing.file ? read(whole) : generated(whole, abandon);
   Particles& particles = packing.particles;
   for (std::size_t n = 0; n < particles.size(); ++n) {
     const double radius = particles.radius[n];

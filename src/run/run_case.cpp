@@ -56,7 +56,11 @@ void check_case(const config::Case& given, config::Case ran, const std::string& 
 
 Ending run_case(const config::Case& whole, const std::vector<RunListener*>& listeners, Requests requests) {
   StageClock clock;
-  const Setup setup = make_setup(whole);
+  const auto is_asked_to_end = [&requests] {
+    return (requests.interrupt && requests.interrupt() != 0) ||
+           (requests.wall_seconds && requests.wall_seconds() >= requests.wall_limit);
+  };
+  const Setup setup = make_setup(whole, is_asked_to_end);
   return Simulation(setup, clock, std::move(requests)).run(listeners);
 }
 

@@ -13,7 +13,7 @@
 namespace frit::run {
 
 // Runs the case and tells the listeners, in their order. Throws InputError before any listener is told
-// anything, and whatever a listener throws.
+// anything, Abandoned where the end is asked for while the packing is made, and whatever a listener throws.
 Ending run_case(const config::Case& whole, const std::vector<RunListener*>& listeners,
                 Requests requests = {});
 

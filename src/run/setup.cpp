@@ -48,9 +48,10 @@ void rename_rows(const std::vector<std::int32_t>& order, contact::GivenNecks& ne
   }
 }
 
-State make_state(const config::Case& whole, const contact::SinteringLaw& law) {
+State make_state(const config::Case& whole, const contact::SinteringLaw& law,
+                 const std::function<bool()>& abandon) {
   FaultTexts faults;
-  generate::Packing packing = make_packing(whole);
+  generate::Packing packing = make_packing(whole, abandon);
   check_spheres(whole, packing, faults);
   std::optional<contact::GivenNecks> necks = collect_necks(whole, packing.particles.size(), faults);
   throw_if_any(faults);
@@ -97,8 +98,8 @@ std::unique_ptr<integrate::Stepper> make_stepper(const Setup& setup) {
   return std::make_unique<integrate::ImplicitStep>(setup.settings, setup.furnace);
 }
 
-Setup make_setup(const config::Case& whole) {
-  State start = make_state(whole, step_settings_of(whole).law);
+Setup make_setup(const config::Case& whole, const std::function<bool()>& abandon) {
+  State start = make_state(whole, step_settings_of(whole).law, abandon);
   start.temperature = heating_of(whole).start;
   return make_setup(whole, std::move(start));
 }

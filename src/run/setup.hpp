@@ -1,6 +1,7 @@
 // From a case to everything a run starts from: state, law, furnace, limits of the step, reference.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,8 +34,8 @@ struct Setup {
 };
 
 // Throws InputError with every fault of the packing, its contacts and its groups, and of what the case asks
-// of them.
-Setup make_setup(const config::Case& whole);
+// of them; Abandoned where `abandon`, asked while a packing is made, says so.
+Setup make_setup(const config::Case& whole, const std::function<bool()>& abandon = {});
 // The same from a start that is known, with its particles along the curve and its first contacts.
 Setup make_setup(const config::Case& whole, State start);
 

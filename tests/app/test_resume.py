@@ -114,6 +114,24 @@ class Signals(ResumeTest):
             self.assertIn("goes on from", done.stdout)
             self.assertIsInstance(self.summary(name)["resumed_at_step"], int)
 
+    def test_a_packing_under_way_is_given_up(self):
+        """A packing of minutes, ended within seconds; the folder of an older result stays as it was."""
+        large = ("--set", "packing.count=200000", "--set", "packing.relative_density=0.64")
+        for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
+            process = self.start("run", "case.toml", "-o", "straight", "--force", *large)
+            time.sleep(0.5)
+            self.assertIsNone(process.poll(), "it had ended before")
+            process.send_signal(number)
+            begin = time.monotonic()
+            got, _, err = self.end(process)
+            self.assertLess(time.monotonic() - begin, 10.0)
+            self.assertEqual(got, code, err)
+            self.assertIn(f"stopped by signal {int(number)} before the first step: the packing is not made; nothing is written", err)
+            self.assert_same(self.folder / "straight")
+        done = self.frit("run", "case.toml", "-o", "late", *large, "--max-wall", "0.5s", code=4)
+        self.assertIn("stopped by --max-wall before the first step", done.stderr)
+        self.assertFalse((self.folder / "late").exists())
+
     def test_usr1_takes_a_checkpoint_and_goes_on(self):
         process = self.start("run", "case.toml", "-o", "out", "--set", "output.checkpoint_every_steps=0",
                              "--set", "method.time_step=0.0005 s")

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "core/abandoned.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "generate/packing_statistics.hpp"
@@ -75,6 +76,23 @@ TEST(RandomDenseSeed, SameSeedSamePackingOtherSeedOther) {
   EXPECT_EQ(first.particles.radius, again.particles.radius);
   EXPECT_NE(first.particles.position, other.particles.position);
   EXPECT_NE(first.particles.radius, other.particles.radius);
+}
+
+// Asked before every step of every relaxation: whichever answer is yes, there is no packing and no further
+// question.
+TEST(RandomDenseAbandon, IsAskedOftenAndObeyedAtOnce) {
+  RandomDenseOptions options{.count = 300, .seed = 4};
+  int asked = 0, most = std::numeric_limits<int>::max();
+  options.abandon = [&] { return ++asked > most; };
+  const Packing whole = make_random_dense(options);
+  const int in_all = asked;
+  EXPECT_GT(in_all, 100);
+  EXPECT_EQ(whole.particles.position, make_random_dense({.count = 300, .seed = 4}).particles.position);
+  for (most = 0; most < in_all; most += 29) {
+    asked = 0;
+    EXPECT_THROW(make_random_dense(options), Abandoned);
+    EXPECT_EQ(asked, most + 1);
+  }
 }
 
 TEST(RandomDenseThreads, GiveTheSameBits) {
