@@ -4,7 +4,8 @@
 PYTHONPATH=build/release/python /usr/bin/python3 tools/soak.py [--runs N]     one run in 50 writes a folder, one in 10 is refused
 
 Resident memory is read after each run; its mean over the last tenth is compared with that over the second tenth (the first fills caches
-and pools of threads). Exits with 1 when it has grown by more than --most percent, or when a run ends otherwise than it should.
+and pools of threads), and a line is laid through all but the first tenth. Exits with 1 when it has grown by more than --most percent, or
+when a run ends otherwise than it should. `--curve FILE` keeps the memory after each run.
 """
 import argparse
 import gc
@@ -12,6 +13,7 @@ import os
 import pathlib
 import sys
 import tempfile
+import time
 
 import frit
 
@@ -57,10 +59,19 @@ def run_once(number, folder):
         sys.exit(f"run {number} ended with {run.ending}")
 
 
+def slope(memory, first):
+    """Growth from run to run by least squares, from run `first` on [bytes]."""
+    middle = (first + len(memory) - 1) / 2.0
+    mean = sum(memory[first:]) / (len(memory) - first)
+    away = [(number - middle, memory[number] - mean) for number in range(first, len(memory))]
+    return sum(x * y for x, y in away) / sum(x * x for x, _ in away)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--runs", type=int, default=2500, help="(default: %(default)s)")
     parser.add_argument("--most", type=float, default=1.0, help="growth that is allowed, in percent (default: %(default)s)")
+    parser.add_argument("--curve", type=pathlib.Path, help="write the resident memory [bytes] after each run, a line each")
     arguments = parser.parse_args()
     memory = []
     with tempfile.TemporaryDirectory() as folder:
@@ -69,10 +80,13 @@ def main():
             if number % 10 == 0:
                 gc.collect()
             memory.append(resident())
+    if arguments.curve:
+        arguments.curve.write_text("".join(f"{size}\n" for size in memory))
     tenth = arguments.runs // 10
     early, late = (sum(part) / len(part) for part in (memory[tenth:2 * tenth], memory[-tenth:]))
     growth = 100.0 * (late / early - 1.0)
-    print(f"{arguments.runs} runs: {early / 1e6:.2f} MB after {tenth}, {late / 1e6:.2f} MB at the end: {growth:+.2f} %")
+    print(f"{arguments.runs} runs: {early / 1e6:.2f} MB after {tenth}, {late / 1e6:.2f} MB at the end: {growth:+.2f} %; "
+          f"{1e3 * slope(memory, tenth) / 1e3:+.1f} kB in 1,000 runs; {time.process_time() / arguments.runs:.3f} s of processor time each")
     return 0 if growth <= arguments.most else 1
 
 

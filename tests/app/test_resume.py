@@ -49,12 +49,15 @@ class ResumeTest(ProgramTest):
     # In memory where there is such a place: hundreds of flushed files are slow on a busy disk.
     parent = "/dev/shm" if pathlib.Path("/dev/shm").is_dir() else None
     made = None  # the run that nothing interrupted, by name and bytes of its files; made once for all tests
+    seconds = 0.0  # that it took: builds with sanitizers or gcov, and busy machines, are slower by far
 
     def setUp(self):
         super().setUp()
         self.write("case.toml", CASE)
         if ResumeTest.made is None:
+            begin = time.monotonic()
             self.frit("run", "case.toml", "-o", "straight", "--quiet", "--threads", 1)
+            ResumeTest.seconds = time.monotonic() - begin
             ResumeTest.made = {str(p.relative_to(self.folder)): p.read_bytes()
                                for p in sorted((self.folder / "straight").rglob("*")) if p.is_file()}
         for name, content in ResumeTest.made.items():
@@ -176,7 +179,7 @@ class Kills(ResumeTest):
             while True:
                 arguments = ("resume", name) if has_checkpoint else ("run", "case.toml", "-o", name, "--force")
                 process = self.start(*arguments, "--quiet")
-                time.sleep(dice.uniform(0.0, 0.1))
+                time.sleep(dice.uniform(0.0, max(0.1, 0.4 * self.seconds)))
                 process.kill()
                 code, _, err = self.end(process)
                 kills += code == -signal.SIGKILL
