@@ -119,7 +119,7 @@ class Signals(ResumeTest):
 
     def test_a_packing_under_way_is_given_up(self):
         """A packing of minutes, ended within seconds; the folder of an older result stays as it was."""
-        large = ("--set", "packing.count=200000", "--set", "packing.relative_density=0.64")
+        large = ("--set", "packing.count=100000", "--set", "packing.relative_density=0.64")
         for number, code in ((signal.SIGINT, 130), (signal.SIGTERM, 143)):
             process = self.start("run", "case.toml", "-o", "straight", "--force", *large)
             time.sleep(0.5)
@@ -127,7 +127,7 @@ class Signals(ResumeTest):
             process.send_signal(number)
             begin = time.monotonic()
             got, _, err = self.end(process)
-            self.assertLess(time.monotonic() - begin, 10.0)
+            self.assertLess(time.monotonic() - begin, max(10.0, 20.0 * self.seconds))
             self.assertEqual(got, code, err)
             self.assertIn(f"stopped by signal {int(number)} before the first step: the packing is not made; nothing is written", err)
             self.assert_same(self.folder / "straight")

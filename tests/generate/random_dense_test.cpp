@@ -88,7 +88,7 @@ TEST(RandomDenseAbandon, IsAskedOftenAndObeyedAtOnce) {
   const int in_all = asked;
   EXPECT_GT(in_all, 100);
   EXPECT_EQ(whole.particles.position, make_random_dense({.count = 300, .seed = 4}).particles.position);
-  for (most = 0; most < in_all; most += 29) {
+  for (most = 0; most < in_all; most += in_all / 5) {
     asked = 0;
     EXPECT_THROW(make_random_dense(options), Abandoned);
     EXPECT_EQ(asked, most + 1);
