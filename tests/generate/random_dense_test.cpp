@@ -81,13 +81,13 @@ TEST(RandomDenseSeed, SameSeedSamePackingOtherSeedOther) {
 // Asked before every step of every relaxation: whichever answer is yes, there is no packing and no further
 // question.
 TEST(RandomDenseAbandon, IsAskedOftenAndObeyedAtOnce) {
-  RandomDenseOptions options{.count = 300, .seed = 4};
+  RandomDenseOptions options{.count = 100, .seed = 4};
   int asked = 0, most = std::numeric_limits<int>::max();
   options.abandon = [&] { return ++asked > most; };
   const Packing whole = make_random_dense(options);
   const int in_all = asked;
   EXPECT_GT(in_all, 100);
-  EXPECT_EQ(whole.particles.position, make_random_dense({.count = 300, .seed = 4}).particles.position);
+  EXPECT_EQ(whole.particles.position, make_random_dense({.count = 100, .seed = 4}).particles.position);
   for (most = 0; most < in_all; most += in_all / 5) {
     asked = 0;
     EXPECT_THROW(make_random_dense(options), Abandoned);
