@@ -98,7 +98,8 @@ TEST_P(Interruptions, WithinAStepLeaveNoTrace) {
   const auto at_question = [](int number) {
     return Requests{.interrupt = [asked = 0, number]() mutable { return ++asked > number ? SIGTERM : 0; }};
   };
-  Ending ending = run_into(folder / "torn", whole, at_question(1));
+  // Not by its questions: those asked while the packing is made would end it before there is a checkpoint.
+  Ending ending = run_into(folder / "torn", whole, After{1});
   int given_up = 0;
   for (int number = 1, runs = 0; ending.code != 0 && runs < 1000; ++runs) {
     ASSERT_EQ(ending.code, 128 + SIGTERM) << ending.reason;
