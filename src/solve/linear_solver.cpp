@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "solve/block_jacobi.hpp"
@@ -23,7 +24,7 @@ constexpr double coarse_iteration = 1.3;
 constexpr double flops_per_edge = 110.0, flops_per_body = 150.0, waiting = 2.0;
 
 std::size_t cluster_size(std::size_t bodies) {
-  if (bodies > 400000) return 512;
+  if (bodies > 400000) return 256;
   return bodies > 50000 ? 128 : 64;
 }
 
@@ -70,6 +71,10 @@ LinearReport LinearSolver::solve(const Linearisation& place, std::span<const dou
     report.iterations += wasted;
     if (!report.stalled) return report;
     wasted = report.iterations;
+    if (with_coarse_level && coarse_is_old_) {
+      coarse_excess_ = std::numeric_limits<double>::infinity();
+      continue;
+    }
     needs_double_ = with_coarse_level || !takes_coarse_level();
     if (needs_double_) coarse_rate_.reset();  // round-off, nothing else, may have held it up
   }
@@ -122,8 +127,9 @@ CoarseLevel<Real>& LinearSolver::coarse_level(const TangentOperator<Real>& matri
   if (!clusters_) clusters_ = std::make_unique<Clusters>(problem_, cluster_size(problem_.bodies()));
   std::unique_ptr<CoarseLevel<Real>>& level = std::get<std::unique_ptr<CoarseLevel<Real>>>(coarse_);
   const bool is_new = !level;
+  coarse_is_old_ = !is_new && damping == coarse_damping_ && coarse_excess_ <= coarse_setup();
   if (is_new) level = std::make_unique<CoarseLevel<Real>>(*clusters_);
-  if (is_new || damping != coarse_damping_ || coarse_excess_ > coarse_setup()) {
+  if (!coarse_is_old_) {
     level->factor(matrix);
     coarse_damping_ = damping;
     coarse_excess_ = 0.0;

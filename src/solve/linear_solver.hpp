@@ -52,6 +52,7 @@ class LinearSolver {
   std::unique_ptr<Clusters> clusters_;     // made when the coarse level is first tried
   std::tuple<std::unique_ptr<CoarseLevel<float>>, std::unique_ptr<CoarseLevel<double>>> coarse_;
   double coarse_damping_ = 0.0;              // of the matrix that the coarse level was factored for
+  bool coarse_is_old_ = false;               // the last solve took a factor of an earlier one
   double coarse_excess_ = 0.0;               // iterations that its age has cost since
   std::optional<double> fresh_coarse_rate_;  // as coarse_rate_, right after it was factored
   bool needs_double_ = false;
