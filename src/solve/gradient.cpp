@@ -1,7 +1,6 @@
 #include "solve/gradient.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 

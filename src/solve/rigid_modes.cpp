@@ -1,6 +1,5 @@
 #include "solve/rigid_modes.hpp"
 
-#include <cmath>
 #include <numeric>
 
 #include <Eigen/Cholesky>
