@@ -20,8 +20,7 @@ if(frit_march STREQUAL "AUTO")
   endif()
 endif()
 # For files where g++ 12 contracts all the same: its vectoriser of straight code makes vfmaddsub of products and sums.
-# Without it debug, release and clang have the same bits. The test Objects.uncontracted finds
-# such files.
+# Without it debug, release and clang have the same bits. The test Objects.uncontracted finds such files.
 set(frit_uncontracted -fno-tree-slp-vectorize)
 if(frit_march)
   target_compile_options(frit_flags INTERFACE -march=${frit_march})

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -62,11 +61,7 @@ constexpr std::uint32_t newborn = std::numeric_limits<std::uint32_t>::max();
 void rearrange(Contacts& contacts, const std::vector<std::uint32_t>& from) {
   Contacts::for_each_array([&](const char*, auto array) {
     auto& old = contacts.*array;
-    using Array = std::remove_reference_t<decltype(old)>;
-    using Value = typename Array::value_type;
-    Value zero{};
-    if constexpr (std::is_same_v<Value, Vec3>) zero = Vec3::Zero();
-    Array moved(from.size(), zero);
+    std::vector moved(from.size(), Contacts::zero_of(old));
     parallel_for(from.size(), [&](std::size_t k) {
       if (from[k] != newborn) moved[k] = old[from[k]];
     });

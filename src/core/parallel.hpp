@@ -98,6 +98,16 @@ Value ordered_sum(std::size_t count, Value zero, BlockSum&& block_sum) {
   return total;
 }
 
+// Whether test(index) holds for any index of [0, count).
+template <class Test>
+bool parallel_any(std::size_t count, Test&& test) {
+  return ordered_sum(count, 0, [&](std::size_t begin, std::size_t end) {
+           std::size_t index = begin;
+           while (index < end && !test(index)) ++index;
+           return index < end ? 1 : 0;
+         }) > 0;
+}
+
 // Scalar product, summed in order.
 inline double ordered_dot(std::span<const double> a, std::span<const double> b) {
   return ordered_sum(a.size(), 0.0, [&](std::size_t begin, std::size_t end) {

@@ -85,16 +85,6 @@ double mean_magnitude(std::size_t count, const Value& value) {
   return count == 0 ? 0.0 : total / static_cast<double>(count);
 }
 
-// Whether test(n) holds anywhere below `count`.
-template <class Test>
-bool holds_for_any(std::size_t count, const Test& test) {
-  return ordered_sum(count, 0, [&](std::size_t begin, std::size_t end) {
-           std::size_t n = begin;
-           while (n < end && !test(n)) ++n;
-           return n < end ? 1 : 0;
-         }) > 0;
-}
-
 network::Conditions conditions_of(const StepSettings& settings, const Furnace& furnace, double begin,
                                   double duration) {
   network::Conditions conditions;
@@ -141,13 +131,13 @@ NeckMotion neck_motion(const State& from, const State& to, std::size_t k) {
 bool is_finite(const State& state) {
   const std::vector<Vec3>& position = state.particles.position;
   return state.cell.size.allFinite() &&
-         !holds_for_any(position.size(), [&](std::size_t n) { return !position[n].allFinite(); });
+         !parallel_any(position.size(), [&](std::size_t n) { return !position[n].allFinite(); });
 }
 
 // A neck whose spheres came closer than half their distance, or swapped sides: linear kinematics has no say
 // there.
 bool has_collapsed(const State& from, const State& to) {
-  return holds_for_any(from.contacts.size(), [&](std::size_t k) {
+  return parallel_any(from.contacts.size(), [&](std::size_t k) {
     const auto [before, after] = neck_motion(from, to, k);
     return after.dot(before) < 0.5 * before.squaredNorm();
   });
@@ -272,7 +262,7 @@ bool ImplicitStep::solve_both(const network::StepInput& input, Passes& passes, S
     const solve::Edge& edge = passes.problem.edges[k];
     return std::abs(first[k]) > 0.5 * (edge.arm_i + edge.arm_j);
   };
-  if (holds_for_any(first.size(), is_too_far)) return false;
+  if (parallel_any(first.size(), is_too_far)) return false;
   report.verdict = Verdict::not_solved;
   passes.estimate = passes.solution;
   if (!solve_second(input, passes.estimate, passes, report)) return false;

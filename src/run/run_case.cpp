@@ -11,6 +11,7 @@
 #include "config/case_writer.hpp"
 #include "core/error.hpp"
 #include "run/machine.hpp"
+#include "run/wall_watch.hpp"
 
 namespace frit::run {
 namespace {
@@ -56,10 +57,8 @@ void check_case(const config::Case& given, config::Case ran, const std::string& 
 
 Ending run_case(const config::Case& whole, const std::vector<RunListener*>& listeners, Requests requests) {
   StageClock clock;
-  const auto is_asked_to_end = [&requests] {
-    return (requests.interrupt && requests.interrupt() != 0) ||
-           (requests.wall_seconds && requests.wall_seconds() >= requests.wall_limit);
-  };
+  const WallWatch watch(requests, 0);
+  const auto is_asked_to_end = [&watch] { return watch.signal() != 0 || watch.is_out(); };
   const Setup setup = make_setup(whole, is_asked_to_end);
   return Simulation(setup, clock, std::move(requests)).run(listeners);
 }

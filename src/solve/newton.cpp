@@ -33,19 +33,14 @@ std::vector<double> stiff_penalties(const Problem& problem, const Options& optio
   return penalty;
 }
 
+// Whether test(response) holds for any edge.
 template <class Test>
-bool any_edge(const Problem& problem, const Test& test) {
-  return ordered_sum(problem.edges.size(), 0, [&](std::size_t begin, std::size_t end) {
-           const auto first = problem.edges.begin();
-           return std::any_of(first + static_cast<std::ptrdiff_t>(begin),
-                              first + static_cast<std::ptrdiff_t>(end), test)
-                      ? 1
-                      : 0;
-         }) > 0;
+bool any_response(const Problem& problem, const Test& test) {
+  return parallel_any(problem.edges.size(), [&](std::size_t k) { return test(problem.edges[k].response); });
 }
 
 bool has_rigid_stops(const Problem& problem) {
-  return any_edge(problem, [](const Edge& edge) { return std::isinf(edge.response.limit); });
+  return any_response(problem, [](const NormalResponse& r) { return std::isinf(r.limit); });
 }
 
 double largest_factor(const Problem& problem, const Options& options) {
@@ -54,8 +49,9 @@ double largest_factor(const Problem& problem, const Options& options) {
 
 // Whether stiff penalties instead of soft ones would make another iteration of it.
 bool is_softened(const Problem& problem, const Options& options) {
-  const bool has_limited = any_edge(problem, [](const Edge& edge) { return edge.response.limit > 0.0; });
-  return options.soft_limits && has_limited && !has_rigid_stops(problem);
+  return options.soft_limits &&
+         any_response(problem, [](const NormalResponse& r) { return r.limit > 0.0; }) &&
+         !has_rigid_stops(problem);
 }
 
 class NewtonSolve {
@@ -69,7 +65,7 @@ class NewtonSolve {
         stiff_penalty_(stiff_penalties(problem, options, penalty_)),
         stiffening_(largest_factor(problem, options)),
         linear_(problem),
-        opens_freely_(any_edge(problem, [](const Edge& edge) { return edge.response.opens_freely; })),
+        opens_freely_(any_response(problem, [](const NormalResponse& r) { return r.opens_freely; })),
         most_whole_solves_(is_central(problem) ? 1 : 8),
         unsettled_(options.settles_mechanisms ? 1.0 : 0.0) {}
 

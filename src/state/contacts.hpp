@@ -47,16 +47,19 @@ struct Contacts {
     visit("sliding_path", &Contacts::sliding_path);
   }
 
+  // What an array holds for a new contact.
+  template <class Value>
+  static Value zero_of(const std::vector<Value>& /*array*/) {
+    if constexpr (std::is_same_v<Value, Vec3>) {
+      return Vec3::Zero();
+    } else {
+      return {};
+    }
+  }
+
   // New contacts are all zeros.
   void resize(std::size_t count) {
-    for_each_array([&](const char*, auto array) {
-      using Value = typename std::remove_reference_t<decltype(this->*array)>::value_type;
-      if constexpr (std::is_same_v<Value, Vec3>) {
-        (this->*array).resize(count, Vec3::Zero());
-      } else {
-        (this->*array).resize(count);
-      }
-    });
+    for_each_array([&](const char*, auto array) { (this->*array).resize(count, zero_of(this->*array)); });
   }
   void reserve(std::size_t count) {
     for_each_array([&](const char*, auto array) { (this->*array).reserve(count); });
